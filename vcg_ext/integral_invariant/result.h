@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "integral_invariant/support/execution.h"
+#include "integral_invariant/support/vec3.h"
+#include "integral_invariant/surface.h"
+
+namespace integral_invariant {
+
+/// What a run leaves, one entry a vertex of the input and in its order; every value is finite.
+/// A vertex without a triangle has zero curvature, the smallest radius, an arbitrary orthonormal pair and confidence 0.
+struct Result {
+  std::vector<double> kappa_max, kappa_min;  ///< 1/L; kappa_max >= kappa_min; positive where the solid is convex
+  std::vector<Vec3> dir_max, dir_min;        ///< unit, orthogonal to each other and to the normal
+  std::vector<Vec3> normal;                  ///< unit, outward: the ball's own, not the mesh's
+  std::vector<double> radius;                ///< L; of the ball that the curvatures were taken from
+  std::vector<float> confidence;             ///< 0 to 1: how much of the ball's surface was there and consistently oriented
+
+  // How it came about.
+  SurfaceReport surface;
+  std::vector<double> scales;                ///< radii of the scales, L
+  double average_edge = 0, diagonal = 0;     ///< L
+  std::size_t converged = 0;                 ///< vertices whose radius converged; all of them when it is fixed
+  double mean_iterations = 0;
+  int largest_iterations = 0;
+  std::string engine;                        ///< what computed the moments
+  std::vector<StageTime> stages;
+};
+
+}  // namespace integral_invariant

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "integral_invariant/support/vec3.h"
+
+namespace integral_invariant {
+
+using Triangle = std::array<std::int32_t, 3>;
+
+/// A triangle mesh as the caller has it: n vertices, m triangles, oriented outward.
+struct TriangleMesh {
+  std::vector<Vec3> positions;       ///< n, in the caller's unit
+  std::vector<Triangle> triangles;   ///< m, indices into positions
+};
+
+/// What was found on checking a mesh. Counts only: nothing is repaired, deleted or renumbered.
+struct SurfaceReport {
+  std::size_t vertices = 0, triangles = 0;
+  std::size_t unreferenced_vertices = 0;
+  std::size_t nonfinite_vertices = 0;      ///< a coordinate is NaN or infinite; their triangles are left out
+  std::size_t degenerate_triangles = 0;    ///< repeated index, no area, or a vertex that is not finite
+  std::size_t duplicate_triangles = 0;     ///< same three vertices in the same cyclic order as another
+  std::size_t boundary_edges = 0;          ///< edges with a triangle on one side only
+  std::size_t inconsistent_edges = 0;      ///< edges that their triangles do not pass equally often in both directions
+  bool inside_out = false;                 ///< encloses a negative volume: taken as if all triangles were flipped
+};
+
+/// A checked mesh in normalised coordinates: the average edge length is 1 and the bounding box is centred at 0, so that
+/// the stages need no tolerance that depends on the unit of the mesh.
+///
+/// The scale is rounded to no power of two: results times `unit()` are in the caller's unit.
+class Surface {
+ public:
+  /// Cost O(n + m). \throw InputError without triangles of positive area, or where an index is out of range.
+  explicit Surface(const TriangleMesh& mesh);
+
+  std::size_t vertex_count() const { return positions_.size(); }
+  /// n; vertices that are not finite stand at the origin and have no triangle.
+  const std::vector<Vec3>& positions() const { return positions_; }
+  /// The triangles that bound the solid: those of the mesh without degenerate ones and repeated duplicates (unless the
+  /// duplicates are what closes the surface), flipped if the mesh was inside out.
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// Whether a triangle of triangles() uses the vertex.
+  bool is_referenced(std::size_t vertex) const { return neighbour_start_[vertex] != neighbour_start_[vertex + 1]; }
+
+  /// Neighbours of v along edges: neighbours()[neighbour_start()[v]] up to neighbour_start()[v + 1], each once, increasing.
+  const std::vector<std::uint32_t>& neighbour_start() const { return neighbour_start_; }
+  const std::vector<std::uint32_t>& neighbours() const { return neighbours_; }
+
+  /// Length of the normalised unit in the caller's unit: the average edge length ē.
+  double unit() const { return unit_; }
+  /// Diagonal of the bounding box, in normalised coordinates.
+  double diagonal() const { return diagonal_; }
+  /// Every edge is passed equally often in both directions.
+  bool is_closed() const { return report_.boundary_edges == 0 && report_.inconsistent_edges == 0; }
+  const SurfaceReport& report() const { return report_; }
+
+ private:
+  void normalise(const TriangleMesh& mesh);
+  void collect_triangles(const TriangleMesh& mesh);
+  void check_edges();
+  void connect();
+  void turn_outward();
+
+  std::vector<Vec3> positions_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> neighbour_start_, neighbours_;
+  double unit_ = 1, diagonal_ = 0;
+  SurfaceReport report_;
+};
+
+}  // namespace integral_invariant
