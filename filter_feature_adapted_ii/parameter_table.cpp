@@ -12,7 +12,6 @@ namespace integral_invariant::filter {
 
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double largest_int = std::numeric_limits<int>::max();
 
 template <class Part>
@@ -36,7 +35,7 @@ struct Field<Member> {
 
 struct Range {
   double minimum, maximum;
-  bool above_minimum = false, below_maximum = false;
+  bool above_minimum = false;
 };
 
 struct Words {
@@ -47,7 +46,7 @@ template <auto Member>
 ParameterSpec row(const char* name, Kind kind, const char* unit, Range range, std::vector<const char*> choices,
                   const Words& words)
 {
-  return {name, kind, unit, range.minimum, range.maximum, range.above_minimum, range.below_maximum,
+  return {name, kind, unit, range.minimum, range.maximum, range.above_minimum,
           std::move(choices), words.label, words.tip, words.source, &Field<Member>::get, &Field<Member>::set};
 }
 
@@ -72,7 +71,7 @@ ParameterSpec real(const char* name, const char* unit, Range range, const Words&
 template <auto Member>
 ParameterSpec length(const char* name, const Words& words)
 {
-  return row<Member>(name, Kind::length, "mesh", {0, unlimited, false, true}, {}, words);
+  return row<Member>(name, Kind::length, "mesh", {0, std::numeric_limits<double>::infinity()}, {}, words);
 }
 
 template <auto Member>
@@ -84,7 +83,7 @@ ParameterSpec choice(const char* name, std::vector<const char*> choices, const W
 
 ParameterSpec save_file(const char* name, const Words& words)
 {
-  return {name, Kind::save_file, "", 0, 0, false, false, {}, words.label, words.tip, words.source, nullptr, nullptr};
+  return {name, Kind::save_file, "", 0, 0, false, {}, words.label, words.tip, words.source, nullptr, nullptr};
 }
 
 using P = Parameters;
@@ -131,7 +130,7 @@ std::vector<ParameterSpec> method_rows()
            "[Lai09] 4.2"}),
       integer<&P::max_iterations>("max_iterations", "", {0, limits::max_iterations},
           {"Most iterations", "After so many steps a vertex keeps the radius it has; 0 keeps the start.", "[Lai09] 4.2"}),
-      real<&P::tolerance>("tolerance", "", {0, 1, true, true},
+      real<&P::tolerance>("tolerance", "", {0, limits::max_tolerance, true},
           {"Tolerance", "A vertex is done when a step changes its radius by less than this part of it.", "[Lai09] 4.2"}),
       boolean<&P::smooth_radius>("smooth_radius",
           {"Smooth the radius",
@@ -192,14 +191,14 @@ std::vector<ParameterSpec> all_rows()
 
 [[noreturn]] void refuse(const ParameterSpec& spec, const std::string& value)
 {
-  throw ParameterError(std::string("Parameter '") + spec.name + "' (" + spec.label + ") is " + value + ", but must be " +
+  throw ParameterError(std::string("The parameter '") + spec.name + "' is " + value + ", but must be " +
                        range_text(spec) + ".");
 }
 
 bool is_permitted(const ParameterSpec& spec, double value)
 {
   if (!std::isfinite(value) || value < spec.minimum || value > spec.maximum) return false;
-  if ((spec.above_minimum && value == spec.minimum) || (spec.below_maximum && value == spec.maximum)) return false;
+  if (spec.above_minimum && value == spec.minimum) return false;
   return spec.kind == Kind::real || spec.kind == Kind::length || value == std::floor(value);
 }
 
@@ -257,8 +256,8 @@ std::string range_text(const ParameterSpec& spec)
   }
   const std::string noun = spec.kind == Kind::integer ? "a whole number" : "a number";
   if (spec.maximum >= largest_int) return noun + " of at least " + number_text(spec.minimum);
-  return noun + " in " + (spec.above_minimum ? "(" : "[") + number_text(spec.minimum) + ", " +
-         number_text(spec.maximum) + (spec.below_maximum ? ")" : "]");
+  if (spec.above_minimum) return noun + " above " + number_text(spec.minimum) + " and at most " + number_text(spec.maximum);
+  return noun + " from " + number_text(spec.minimum) + " to " + number_text(spec.maximum);
 }
 
 void store(const ParameterSpec& spec, double value, Request& request)

@@ -46,7 +46,7 @@ struct ParameterSpec {
   Kind kind;
   const char* unit;                  ///< "" where it has none; "mesh" for lengths in the unit of the mesh
   double minimum, maximum;           ///< of the value; infinite where there is none
-  bool above_minimum, below_maximum; ///< whether the ends are themselves forbidden
+  bool above_minimum;                ///< the minimum itself is not permitted
   std::vector<const char*> choices;  ///< of a choice, by index
   const char* label;                 ///< short, for the dialog
   const char* tip;                   ///< one or two sentences
@@ -64,7 +64,7 @@ const ParameterSpec* find_parameter(const std::string& name);
 /// The value of an unchanged request: the default stands once, in Parameters and OutputOptions.
 double default_value(const ParameterSpec& spec);
 
-/// The permitted values as text, such as "in (0, 1]" or "0 (Mean), 1 (Gaussian), ...".
+/// The permitted values as text: "a number above 0 and at most 1", "one of 0 (Fast), 1 (Balanced), ...".
 std::string range_text(const ParameterSpec& spec);
 
 /// Checks `value` and lets it land in `request`. \throw ParameterError naming parameter, value and range
