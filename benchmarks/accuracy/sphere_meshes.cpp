@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -20,26 +22,33 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+/// Vertices in the order of `points`, triangles sorted: CGAL promises neither order.
 TriangleMesh hull(const std::vector<Vec3>& points)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   std::vector<Kernel::Point_3> input;
-  for (const Vec3& p : points) input.emplace_back(p.x, p.y, p.z);
+  std::map<std::array<double, 3>, int> index;
+  for (const Vec3& p : points) {
+    index.emplace(std::array<double, 3>{p.x, p.y, p.z}, int(input.size()));
+    input.emplace_back(p.x, p.y, p.z);
+  }
   Mesh surface;
   CGAL::convex_hull_3(input.begin(), input.end(), surface);
 
   TriangleMesh mesh;
-  for (const auto v : surface.vertices()) {
-    const Kernel::Point_3& p = surface.point(v);
-    mesh.positions.push_back({p.x(), p.y(), p.z()});
-  }
+  mesh.positions = points;
   for (const auto f : surface.faces()) {
     Triangle t{};
     int corner = 0;
-    for (const auto v : surface.vertices_around_face(surface.halfedge(f))) t[corner++] = int(v.idx());
+    for (const auto v : surface.vertices_around_face(surface.halfedge(f))) {
+      const Kernel::Point_3& p = surface.point(v);
+      t[corner++] = index.at({p.x(), p.y(), p.z()});
+    }
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     mesh.triangles.push_back(t);
   }
+  std::sort(mesh.triangles.begin(), mesh.triangles.end());
   return mesh;
 }
 
