@@ -41,7 +41,8 @@ bool FilterFeatureAdaptedIIPlugin::applyFilter(
 	try {
 		MeshModel* mesh = document.mm();
 		if (!mesh) throw integral_invariant::InputError("There is no mesh to measure.");
-		const ii::Outcome outcome = ii::measure(mesh->cm, ii::read_request(parameters), callback);
+		// meshlabserver prints the text without ending the line; the window draws the end of a line as a space.
+		const ii::Outcome outcome = ii::measure(mesh->cm, ii::read_request(parameters), ii::progress_of(callback, "\n"));
 		mesh->updateDataMask(ii::written_fields(outcome.colorize));
 		ii::write_outcome(mesh->cm, outcome);
 		for (const std::string& line : ii::summary_lines(outcome)) Log(line);
