@@ -16,7 +16,13 @@ FilterFeatureAdaptedIIPlugin::FilterFeatureAdaptedIIPlugin()
 
 QString FilterFeatureAdaptedIIPlugin::pluginName() const { return ii::plugin_name; }
 QString FilterFeatureAdaptedIIPlugin::filterName(FilterIDType) const { return ii::filter_name; }
-QString FilterFeatureAdaptedIIPlugin::filterInfo(FilterIDType) const { return ii::help_text; }
+
+/// 2020.09's dialog neither scrolls nor is lower than its content: a wide text keeps its buttons on the screen.
+QString FilterFeatureAdaptedIIPlugin::filterInfo(FilterIDType) const
+{
+	return QString("<table width=\"1100\"><tr><td>%1</td></tr></table>").arg(ii::help_text);
+}
+
 QString FilterFeatureAdaptedIIPlugin::filterScriptFunctionName(FilterIDType) { return ii::python_name; }
 
 MeshFilterInterface::FilterClass FilterFeatureAdaptedIIPlugin::getClass(QAction*)
