@@ -3,7 +3,7 @@
 // and exported before the mesh is touched, so whatever fails leaves it as it was.
 #pragma once
 
-#include <utility>
+#include <string>
 
 #include <vcg/complex/algorithms/update/curvature_integral_invariant.h>
 #include <wrap/callback.h>
@@ -15,10 +15,14 @@
 namespace integral_invariant::filter {
 
 /// The host's callback, which may be null, as the core's. It is called from the calling thread only.
+/// The text carries the percentage and ends the line because meshlabserver prints the text alone; windows draw the end
+/// of the line as a space.
 inline ProgressCallback progress_of(vcg::CallBackPos* callback)
 {
   if (!callback) return {};
-  return [callback](int percent, const char* stage) { return callback(percent, stage); };
+  return [callback](int percent, const char* stage) {
+    return callback(percent, (std::string(stage) + ": " + std::to_string(percent) + "%\n").c_str());
+  };
 }
 
 /// Measures `mesh` and writes the export file, if any. The mesh is only read; deleted elements are skipped.
