@@ -20,7 +20,7 @@ QString FilterFeatureAdaptedIIPlugin::filterName(FilterIDType) const { return ii
 /// 2020.09's dialog neither scrolls nor is lower than its content: a wide text keeps its buttons on the screen.
 QString FilterFeatureAdaptedIIPlugin::filterInfo(FilterIDType) const
 {
-	return QString("<table width=\"1100\"><tr><td>%1</td></tr></table>").arg(ii::help_text);
+	return QString("<table width=\"940\"><tr><td>%1</td></tr></table>").arg(ii::help_text);
 }
 
 QString FilterFeatureAdaptedIIPlugin::filterScriptFunctionName(FilterIDType) { return ii::python_name; }
