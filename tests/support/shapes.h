@@ -14,10 +14,10 @@ using integral_invariant::Vec3;
 /// Icosahedron subdivided `levels` times, vertices on the sphere: 10·4^levels + 2 vertices.
 TriangleMesh icosphere(int levels, double radius = 1, Vec3 centre = {});
 
-/// Torus around z with nu × nv vertices: u around the axis, v around the tube.
+/// Torus around z with nu × nv vertices (nu even), nearly equilateral triangles: u around the axis, v around the tube.
 TriangleMesh torus(double major_radius, double tube_radius, int nu, int nv);
-/// Principal curvatures at vertex i·nv + j of torus(): around the tube 1/tube_radius, around the axis this one.
-double torus_curvature_around_axis(double major_radius, double tube_radius, int nv, int j);
+/// Principal curvature around the axis at angle v around the tube; the other one is 1/tube_radius.
+double torus_curvature_around_axis(double major_radius, double tube_radius, double v);
 
 /// Closed box [0,a]×[0,b]×[0,c], each side a grid of squares of about `step`, cut into triangles; vertices are shared.
 TriangleMesh box(double a, double b, double c, double step);

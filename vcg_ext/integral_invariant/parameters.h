@@ -34,8 +34,10 @@ namespace limits {
 inline constexpr int max_scales = 32;
 inline constexpr double max_alpha = 10;
 inline constexpr int max_iterations = 100000;
+inline constexpr double max_tolerance = 0.5;
 inline constexpr int max_smoothing_passes = 1000;
 inline constexpr double min_cells_per_radius = 1, max_cells_per_radius = 64;
+inline constexpr int max_threads = 1024;
 }  // namespace limits
 
 /// Everything that a run can be asked. Lengths are in the unit of the mesh; 0 means automatic where it says so.
@@ -53,7 +55,7 @@ struct Parameters {
   double step = 0.1;                               ///< λ of r ← r + λ(r′ − r) [Lai09 eq. 8], in (0, 1]
   StartRadius start_radius = StartRadius::median;
   int max_iterations = 200;                        ///< 0 keeps the start radius
-  double tolerance = 1e-3;                         ///< relative change of the radius at which a vertex is done, in (0, 1)
+  double tolerance = 1e-3;                         ///< relative change of the radius at which a vertex is done, in (0, 0.5]
 
   bool smooth_radius = true;                       ///< bilateral smoothing of the radius [Lai09 eq. 9]
   int smoothing_passes = 1;

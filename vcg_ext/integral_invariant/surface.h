@@ -22,8 +22,9 @@ struct TriangleMesh {
 struct SurfaceReport {
   std::size_t vertices = 0, triangles = 0;
   std::size_t unreferenced_vertices = 0;
-  std::size_t nonfinite_vertices = 0;      ///< a coordinate is NaN or infinite; their triangles are left out
-  std::size_t degenerate_triangles = 0;    ///< repeated index, no area, or a vertex that is not finite
+  std::size_t nonfinite_vertices = 0;      ///< a coordinate is NaN or infinite
+  std::size_t left_out_triangles = 0;      ///< a vertex is used twice or is not finite
+  std::size_t zero_area_triangles = 0;     ///< kept: they may be what closes the surface
   std::size_t duplicate_triangles = 0;     ///< same three vertices in the same cyclic order as another
   std::size_t boundary_edges = 0;          ///< edges with a triangle on one side only
   std::size_t inconsistent_edges = 0;      ///< edges that their triangles do not pass equally often in both directions
@@ -32,18 +33,16 @@ struct SurfaceReport {
 
 /// A checked mesh in normalised coordinates: the average edge length is 1 and the bounding box is centred at 0, so that
 /// the stages need no tolerance that depends on the unit of the mesh.
-///
-/// The scale is rounded to no power of two: results times `unit()` are in the caller's unit.
 class Surface {
  public:
   /// Cost O(n + m). \throw InputError without triangles of positive area, or where an index is out of range.
   explicit Surface(const TriangleMesh& mesh);
 
   std::size_t vertex_count() const { return positions_.size(); }
-  /// n; vertices that are not finite stand at the origin and have no triangle.
+  /// n; vertices without a triangle stand at the origin.
   const std::vector<Vec3>& positions() const { return positions_; }
-  /// The triangles that bound the solid: those of the mesh without degenerate ones and repeated duplicates (unless the
-  /// duplicates are what closes the surface), flipped if the mesh was inside out.
+  /// The triangles that bound the solid: those of the mesh without the left-out ones and without repetitions of a
+  /// triangle (unless the repetitions are what closes the surface), flipped if the mesh was inside out.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   /// Whether a triangle of triangles() uses the vertex.
   bool is_referenced(std::size_t vertex) const { return neighbour_start_[vertex] != neighbour_start_[vertex + 1]; }
@@ -60,10 +59,11 @@ class Surface {
   bool is_closed() const { return report_.boundary_edges == 0 && report_.inconsistent_edges == 0; }
   const SurfaceReport& report() const { return report_; }
 
+
  private:
+  void take_triangles(const TriangleMesh& mesh);
   void normalise(const TriangleMesh& mesh);
-  void collect_triangles(const TriangleMesh& mesh);
-  void check_edges();
+  void drop_repetitions();
   void connect();
   void turn_outward();
 

@@ -9,16 +9,18 @@
 
 namespace integral_invariant {
 
-/// Curvature tensors of all vertices at all scales, in single precision (9 floats each): rounding at 6e-8 of the
+/// Curvature tensors of all vertices at all scales, in single precision (10 floats each): rounding at 6e-8 of the
 /// largest entry is far under the error of any estimator, and half the memory.
 class TensorField {
  public:
+  /// All tensors zero, with confidence 0, until set.
   TensorField(std::size_t vertices, std::vector<double> radii);
 
   std::size_t vertex_count() const { return vertices_; }
   /// Increasing, normalised unit.
   const std::vector<double>& radii() const { return radii_; }
 
+  /// Calls for different (vertex, scale) may run at once.
   void set(std::size_t vertex, int scale, const CurvatureTensor& tensor);
   CurvatureTensor at_scale(std::size_t vertex, int scale) const;
 
@@ -34,6 +36,7 @@ class TensorField {
   struct Entry {
     float k[6];
     float normal[3];
+    float confidence;
   };
   struct Weights {
     int first, count;

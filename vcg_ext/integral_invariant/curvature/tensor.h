@@ -9,16 +9,17 @@ namespace integral_invariant {
 
 /// Symmetric tensor whose tangential eigenvalues are the principal curvatures: K n = 0.
 struct CurvatureTensor {
-  Symmetric3 k;   ///< 1/L; positive where the solid is convex
-  Vec3 normal;    ///< unit, outward
+  Symmetric3 k;           ///< 1/L; positive where the solid is convex
+  Vec3 normal{0, 0, 1};   ///< unit, outward
+  double confidence = 0;  ///< of the moments it came from, 0 to 1
 };
 
 /// K = 6/(π r⁶) (tr(J_T) I − 4 J_T) + 8/(5r) I on the tangent plane [Yang06], J the covariance of the ball's solid about
 /// its barycentre and J_T its tangential part. The normal is the eigenvector of J best aligned with −m.
 ///
-/// A ball without solid or without direction (m = 0: all or nothing of the ball is solid) has K = 0.
-/// `fallback_normal` is used there (unit).
-CurvatureTensor curvature_tensor(const BallMoments& moments, double radius, const Vec3& fallback_normal = {0, 0, 1});
+/// A ball without solid or without direction (m = 0: all or nothing of the ball is solid) has K = 0, an arbitrary normal
+/// and confidence 0.
+CurvatureTensor curvature_tensor(const BallMoments& moments, double radius);
 
 /// Eigenvalues and directions of a tensor on the plane orthogonal to its normal.
 struct PrincipalCurvatures {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The radii of the scales [Lai09 4.1]. In: the parameters, lengths in the caller's unit. Out: radii in normalised units.
+#include "integral_invariant/radius/scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "integral_invariant/support/error.h"
+
+namespace integral_invariant {
+
+namespace {
+
+struct Range {
+  double low, high;
+};
+
+/// Where r_max is automatic it never falls to r_min or under: a larger r_min alone moves the whole ladder up.
+Range radius_range(const Parameters& p, double unit)
+{
+  const double low = p.r_min > 0 ? p.r_min / unit : 1;
+  const double high = p.r_max > 0 ? p.r_max / unit : (low < p.scales ? double(p.scales) : p.scales * low);
+  return {low, high};
+}
+
+[[noreturn]] void reject_range(const Range& range, double unit)
+{
+  std::ostringstream text;
+  text << "The smallest radius must be under the largest: r_min is " << range.low * unit << " and r_max is "
+       << range.high * unit << " (the average edge length is " << unit
+       << "). Enlarge r_max, reduce r_min, or set either to 0 for its automatic value.";
+  throw ParameterError(text.str());
+}
+
+}  // namespace
+
+std::vector<double> scale_radii(const Parameters& p, double unit)
+{
+  const Range range = radius_range(p, unit);
+  if (p.radius_choice == RadiusChoice::fixed) {
+    if (p.radius > 0) return {p.radius / unit};
+    if (range.high < range.low) reject_range(range, unit);
+    return {(range.low + range.high) / 2};
+  }
+  if (p.scales == 1) return {range.low};
+  if (!(range.low < range.high)) reject_range(range, unit);
+
+  std::vector<double> radii(p.scales);
+  for (int i = 0; i < p.scales; ++i) {
+    const double t = double(i) / (p.scales - 1);
+    radii[i] = p.spacing == ScaleSpacing::linear ? range.low + t * (range.high - range.low)
+                                                 : range.low * std::pow(range.high / range.low, t);
+  }
+  radii.back() = range.high;
+  return radii;
+}
+
+}  // namespace integral_invariant
