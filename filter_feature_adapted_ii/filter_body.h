@@ -3,6 +3,7 @@
 // and exported before the mesh is touched, so whatever fails leaves it as it was.
 #pragma once
 
+#include <string>
 #include <utility>
 
 #include <vcg/complex/algorithms/update/curvature_integral_invariant.h>
@@ -14,11 +15,14 @@
 
 namespace integral_invariant::filter {
 
-/// The host's callback, which may be null, as the core's. It is called from the calling thread only.
+/// The host's callback, which may be null, as the core's. It is called from the calling thread only. The text has the
+/// percentage too, because meshlabserver prints nothing else.
 inline ProgressCallback progress_of(vcg::CallBackPos* callback)
 {
   if (!callback) return {};
-  return [callback](int percent, const char* stage) { return callback(percent, stage); };
+  return [callback](int percent, const char* stage) {
+    return callback(percent, (stage + (" " + std::to_string(percent)) + " %").c_str());
+  };
 }
 
 /// Measures `mesh` and writes the export file, if any. The mesh is only read; deleted elements are skipped.

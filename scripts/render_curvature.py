@@ -16,14 +16,19 @@ BACKGROUND = (1.0, 1.0, 1.0)
 INK = (0.13, 0.14, 0.17)
 SUPERSAMPLING = 2
 
-TITLES = {
-    "quality": "quality",
-    "ii_kmax": "maximal curvature  [1 / length]",
-    "ii_kmin": "minimal curvature  [1 / length]",
-    "ii_radius": "radius  [length]",
-    "mean": "mean curvature  [1 / length]",
-    "gaussian": "Gaussian curvature  [1 / length²]",
+# Quantities by their names in the filter's dialog: unit, and whether they have a sign.
+QUANTITIES = {
+    "Mean curvature": ("1 / length", True),
+    "Gaussian curvature": ("1 / length²", True),
+    "Maximal curvature": ("1 / length", True),
+    "Minimal curvature": ("1 / length", True),
+    "Shape index": ("", True),
+    "Curvedness": ("1 / length", False),
+    "Radius": ("length", False),
+    "Largest absolute curvature": ("1 / length", False),
 }
+NAMES = {"ii_kmax": "Maximal curvature", "ii_kmin": "Minimal curvature", "ii_radius": "Radius", "mean": "Mean curvature",
+         "gaussian": "Gaussian curvature"}
 
 # Colour maps as anchors (r, g, b), evenly spaced, blended in CIELAB. Signed quantities: blue is concave, red convex, and
 # zero a light grey that the lights can shade. Others: from dark violet to light yellow, brightness growing evenly.
@@ -39,9 +44,9 @@ def parse_arguments(argv):
     parser.add_argument("picture", help="PNG file to write")
     parser.add_argument("--quantity", default="quality",
                         help="vertex property to show, or 'mean' or 'gaussian', which come from ii_kmax and ii_kmin")
-    parser.add_argument("--title", help="text over the legend")
-    parser.add_argument("--sequential", action="store_true", help="the quantity has no sign (the default for radii)")
-    parser.add_argument("--percentile", type=float, default=98,
+    parser.add_argument("--quality-is", metavar="NAME", default="", help="what the property 'quality' holds: one of "
+                        + ", ".join(QUANTITIES))
+    parser.add_argument("--percentile", type=float, default=95,
                         help="the colours span this part of the values, of 100 (default %(default)s)")
     parser.add_argument("--range", type=float, nargs=2, metavar=("LOW", "HIGH"), help="values at the ends of the colours")
     parser.add_argument("--view", default="auto",
@@ -224,7 +229,7 @@ def place_camera(renderer, points, options):
 
 def round_ticks(low, high):
     """Values at steps of 1, 2 or 5 times a power of ten within the range: four to nine of them."""
-    rough = (high - low) / 6
+    rough = (high - low) / 8
     power = 10.0 ** np.floor(np.log10(rough))
     step = power * next(m for m in (1, 2, 5, 10) if m * power >= rough)
     return [k * step for k in range(int(np.ceil(low / step - 1e-9)), int(np.floor(high / step + 1e-9)) + 1)]
@@ -266,6 +271,7 @@ def caption(text, position, size, scale):
     style.SetColor(*INK)
     style.SetJustificationToRight()
     style.SetVerticalJustificationToTop()
+    style.SetLineSpacing(1.3)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
     actor.SetPosition(*position)
     return actor
@@ -279,7 +285,8 @@ def draw(options):
     vertices, triangles = read_ply(options.mesh)
     points = np.column_stack([vertices[axis] for axis in "xyz"]).astype(float)
     values = quantity_of(vertices, options.quantity)
-    signed = not (options.sequential or options.quantity == "ii_radius")
+    name = NAMES.get(options.quantity, options.quality_is if options.quantity == "quality" else options.quantity)
+    unit, signed = QUANTITIES.get(name, ("", bool(values.min() < 0)))
     used = np.unique(triangles)
     low, high = options.range or colour_range(values[used], options.percentile, signed)
     table = colour_table(signed, low, high)
@@ -305,8 +312,7 @@ def draw(options):
     overlay.InteractiveOff()
     pixels = [SUPERSAMPLING * s for s in options.size]
     overlay.AddActor2D(legend(table, pixels))
-    title = options.title or TITLES.get(options.quantity, options.quantity)
-    overlay.AddActor2D(caption(title, (0.975, 0.90), pixels, 0.024))
+    overlay.AddActor2D(caption(f"{name}\n{unit}", (0.975, 0.90), pixels, 0.024))
     write_picture(options.picture, pixels, [renderer, overlay])
 
 
