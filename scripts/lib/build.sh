@@ -29,5 +29,5 @@ build() {
   if ninja -C "$folder" -n "$@" | grep -q 'no work to do'; then return; fi
   note "building $*"
   ninja -C "$folder" "$@" >"$folder/build.log" 2>&1 ||
-    die "the build failed; see $folder/build.log: $(grep -m 1 -E 'error|FAILED' "$folder/build.log")"
+    die "the build failed; see $folder/build.log: $(grep -m 1 'error:' "$folder/build.log" || tail -n 2 "$folder/build.log")"
 }
