@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 #include <vcg/complex/algorithms/update/curvature_integral_invariant.h>
 #include <wrap/callback.h>
@@ -15,13 +14,14 @@
 
 namespace integral_invariant::filter {
 
-/// The host's callback, which may be null, as the core's. It is called from the calling thread only. The text has the
-/// percentage too, because meshlabserver prints nothing else.
+/// The host's callback, which may be null, as the core's. It is called from the calling thread only.
+/// The text carries the percentage and ends the line because meshlabserver prints the text alone; windows draw the end
+/// of the line as a space.
 inline ProgressCallback progress_of(vcg::CallBackPos* callback)
 {
   if (!callback) return {};
   return [callback](int percent, const char* stage) {
-    return callback(percent, (stage + (" " + std::to_string(percent)) + " %").c_str());
+    return callback(percent, (std::string(stage) + ": " + std::to_string(percent) + "%\n").c_str());
   };
 }
 
