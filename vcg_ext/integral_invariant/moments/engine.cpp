@@ -2,13 +2,15 @@
 // The choice of the moment engine.
 #include "integral_invariant/moments/engine.h"
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/moments/fft_engine.h"
+#include "integral_invariant/moments/surface_engine.h"
 
 namespace integral_invariant {
 
-std::unique_ptr<MomentEngine> make_moment_engine(const Surface&, const Parameters&)
+std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters)
 {
-  throw InputError("no engine yet");
+  if (parameters.engine == EngineKind::surface_integral) return make_surface_engine(surface, parameters);
+  return make_fft_engine(surface, parameters);
 }
 
 }  // namespace integral_invariant

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What both plugin interfaces share: the table as MeshLab's parameter classes, and the fields that the filter writes.
+#pragma once
+
+#include <limits>
+
+#include "../filter_body.h"
+
+#if __has_include(<common/parameters/rich_parameters.h>)
+#include <common/parameters/rich_parameters.h>
+namespace integral_invariant::filter {
+using RichLength = RichPercentage;
+using RichFile = RichFileSave;
+}
+#else
+namespace integral_invariant::filter {
+using RichLength = RichAbsPerc;
+using RichFile = RichSaveFile;
+}
+#endif
+
+namespace integral_invariant::filter {
+
+/// The mesh's fields that the filter writes.
+inline int written_fields(bool colorize = true)
+{
+  return MeshModel::MM_VERTCURVDIR | MeshModel::MM_VERTRADIUS | MeshModel::MM_VERTQUALITY |
+         (colorize ? MeshModel::MM_VERTCOLOR : MeshModel::MM_NONE);
+}
+
+/// The tip with the unit, the permitted values and the source, which no dialog shows otherwise.
+inline QString tooltip(const ParameterSpec& spec)
+{
+  QString text = spec.tip;
+  if (spec.kind == Kind::integer || spec.kind == Kind::real)
+    text += QString(" Permitted: ") + range_text(spec).c_str() + (*spec.unit ? QString(" ") + spec.unit : QString()) + ".";
+  if (*spec.source) text += QString(" ") + spec.source + ".";
+  return text;
+}
+
+/// One row of the table as the parameter class that MeshLab's dialogs know.
+inline void add_parameter(const ParameterSpec& spec, double diagonal, RichParameterList& list)
+{
+  const double value = default_value(spec);
+  const QString name = spec.name, label = spec.label, tip = tooltip(spec);
+  switch (spec.kind) {
+    case Kind::boolean: list.addParam(RichBool(name, value != 0, label, tip)); break;
+    case Kind::integer: list.addParam(RichInt(name, int(value), label, tip)); break;
+    case Kind::real: list.addParam(RichFloat(name, Scalarm(value), label, tip)); break;
+    case Kind::length: list.addParam(RichLength(name, Scalarm(value), 0, Scalarm(diagonal), label, tip)); break;
+    case Kind::save_file: list.addParam(RichFile(name, "", "*.ply", label, tip)); break;
+    case Kind::choice: {
+      QStringList choices;
+      for (const char* choice : spec.choices) choices << choice;
+      list.addParam(RichEnum(name, int(value), choices, label, tip));
+      break;
+    }
+  }
+}
+
+/// The dialog: percentages are of `diagonal`.
+inline void add_parameters(double diagonal, RichParameterList& list)
+{
+  // Without a mesh there is nothing to take a percentage of; an empty range would divide by zero.
+  const double range = diagonal > 0 ? diagonal : 1;
+  for (const ParameterSpec& spec : parameter_table()) add_parameter(spec, range, list);
+}
+
+/// A sentence for the user.
+inline std::string failure_text(const std::exception& error)
+{
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+    return "There is not enough memory. Use fewer scales, fewer cells per radius, or a larger smallest radius. The mesh is unchanged.";
+  return error.what();
+}
+
+}  // namespace integral_invariant::filter

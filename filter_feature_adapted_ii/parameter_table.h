@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Host layer, without any host: the one table of the filter's parameters. The dialogs, the filter scripts, the
+// documentation and the validation of what scripts hand over all come from it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "integral_invariant/parameters.h"
+#include "integral_invariant/support/error.h"
+
+namespace integral_invariant::filter {
+
+/// What goes into the quality of the vertices.
+enum class Quantity {
+  mean = 0,              ///< (κ_max + κ_min) / 2
+  gaussian = 1,          ///< κ_max κ_min
+  maximal = 2,           ///< κ_max
+  minimal = 3,           ///< κ_min
+  shape_index = 4,       ///< (2/π) atan2(κ_max + κ_min, κ_max − κ_min), from -1 (cup) to 1 (cap)
+  curvedness = 5,        ///< sqrt((κ_max² + κ_min²) / 2)
+  radius = 6,            ///< the radius of the vertex's ball
+  largest_absolute = 7,  ///< max(|κ_max|, |κ_min|), a magnitude without sign
+};
+inline constexpr int quantity_count = 8;
+
+/// What is done with the curvatures; the rest of a request is integral_invariant::Parameters.
+struct OutputOptions {
+  Quantity quality = Quantity::mean;
+  bool colorize = true;
+  double color_percentile = 95;  ///< how many per cent of the vertices lie inside the colour range, in [50, 100]
+  std::string export_file;       ///< PLY with every output; empty: none
+};
+
+/// Everything that the filter can be asked.
+struct Request {
+  Parameters method;
+  OutputOptions output;
+};
+
+enum class Kind { boolean, integer, real, length, choice, save_file };
+
+/// One parameter. Numbers of all kinds are double here; a choice is its index.
+struct ParameterSpec {
+  const char* name;
+  Kind kind;
+  const char* unit;                  ///< "" where it has none; "mesh" for lengths in the unit of the mesh
+  double minimum, maximum;           ///< of the value; infinite where there is none
+  bool above_minimum;                ///< the minimum itself is not permitted
+  std::vector<const char*> choices;  ///< of a choice, by index
+  const char* label;                 ///< short, for the dialog
+  const char* tip;                   ///< one or two sentences
+  const char* source;                ///< where in the literature it comes from; "" where it is this project's
+  double (*get)(const Request&);     ///< null for a save_file, whose text goes to output.export_file
+  void (*set)(Request&, double);
+};
+
+/// All parameters, in the order of the dialog.
+const std::vector<ParameterSpec>& parameter_table();
+
+/// The row of that name, or null.
+const ParameterSpec* find_parameter(const std::string& name);
+
+/// The value of an unchanged request: the default stands once, in Parameters and OutputOptions.
+double default_value(const ParameterSpec& spec);
+
+/// The permitted values as text: "a number above 0 and at most 1", "one of 0 (Fast), 1 (Balanced), ...".
+std::string range_text(const ParameterSpec& spec);
+
+/// Checks `value` and lets it land in `request`. \throw ParameterError naming parameter, value and range
+void store(const ParameterSpec& spec, double value, Request& request);
+void store_text(const ParameterSpec& spec, const std::string& text, Request& request);
+
+/// Reads `text` as a value of the parameter (a choice by index or label) and stores it. \throw ParameterError
+void store_from_text(const ParameterSpec& spec, const std::string& text, Request& request);
+
+/// The number that a person typed when a host kept it in single precision: 0.9, not 0.89999998. All hosts then compute
+/// with the same parameters, to the bit.
+double as_typed(float value);
+inline double as_typed(double value) { return value; }
+
+/// The shortest text that reads back as `value`.
+std::string number_text(double value);
+
+}  // namespace integral_invariant::filter

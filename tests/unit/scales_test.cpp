@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integral_invariant/radius/scales.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "integral_invariant/support/error.h"
+
+using namespace integral_invariant;
+
+namespace {
+
+constexpr double edge = 0.25;  // average edge length in the caller's unit
+
+}  // namespace
+
+TEST(Scales, AutomaticRadiiAreMultiplesOfTheAverageEdge)
+{
+  const std::vector<double> radii = scale_radii({}, edge);
+  ASSERT_EQ(radii.size(), 8u);
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(radii[i], i + 1, 1e-15);
+}
+
+TEST(Scales, GeometricRadiiHaveAConstantRatio)
+{
+  Parameters p;
+  p.spacing = ScaleSpacing::geometric;
+  p.r_min = 2 * edge;
+  p.r_max = 64 * edge;
+  p.scales = 6;
+  const std::vector<double> radii = scale_radii(p, edge);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(radii[i], 2 * std::pow(2, i), 1e-12);
+}
+
+TEST(Scales, LargeSmallestRadiusMovesTheLadderUp)
+{
+  Parameters p;
+  p.r_min = 10 * edge;
+  const std::vector<double> radii = scale_radii(p, edge);
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(radii[i], 10 * (i + 1), 1e-12);
+}
+
+TEST(Scales, OneScaleAndFixedRadius)
+{
+  Parameters p;
+  p.scales = 1;
+  EXPECT_EQ(scale_radii(p, edge), std::vector<double>{1});
+  p = {};
+  p.radius_choice = RadiusChoice::fixed;
+  EXPECT_EQ(scale_radii(p, edge), std::vector<double>{4.5});
+  p.radius = 3 * edge;
+  EXPECT_EQ(scale_radii(p, edge), std::vector<double>{3});
+}
+
+TEST(Scales, SmallestMustBeUnderTheLargest)
+{
+  Parameters p;
+  p.r_min = 2;
+  p.r_max = 1;
+  try {
+    scale_radii(p, edge);
+    FAIL();
+  } catch (const ParameterError& e) {
+    EXPECT_NE(std::string(e.what()).find("r_min is 2 and r_max is 1"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Parameters, EveryRangeIsHeld)
+{
+  const auto rejected = [](const char* name, auto change) {
+    Parameters p;
+    change(p);
+    try {
+      validate(p);
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const ParameterError& e) {
+      EXPECT_NE(std::string(e.what()).find("'" + std::string(name) + "'"), std::string::npos) << e.what();
+    }
+  };
+  const double nan = std::nan("");
+  EXPECT_NO_THROW(validate({}));
+  rejected("scales", [](Parameters& p) { p.scales = 0; });
+  rejected("scales", [](Parameters& p) { p.scales = 33; });
+  rejected("r_min", [](Parameters& p) { p.r_min = -1; });
+  rejected("r_max", [&](Parameters& p) { p.r_max = nan; });
+  rejected("radius", [](Parameters& p) { p.radius = HUGE_VAL; });
+  rejected("alpha", [](Parameters& p) { p.alpha = 0; });
+  rejected("step", [](Parameters& p) { p.step = 1.01; });
+  rejected("max_iterations", [](Parameters& p) { p.max_iterations = -1; });
+  rejected("tolerance", [](Parameters& p) { p.tolerance = 0; });
+  rejected("smoothing_passes", [](Parameters& p) { p.smoothing_passes = 1001; });
+  rejected("fft_cells_per_radius", [](Parameters& p) { p.fft_cells_per_radius = 0.5; });
+  rejected("threads", [](Parameters& p) { p.threads = -1; });
+  rejected("radius_choice", [](Parameters& p) { p.radius_choice = RadiusChoice(7); });
+  rejected("engine", [](Parameters& p) { p.engine = EngineKind(-1); });
+  rejected("scale_spacing", [](Parameters& p) { p.spacing = ScaleSpacing(2); });
+  rejected("start_radius", [](Parameters& p) { p.start_radius = StartRadius(2); });
+  rejected("exactness", [](Parameters& p) { p.exactness = Exactness(3); });
+}
