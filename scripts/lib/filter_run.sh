@@ -57,17 +57,15 @@ failure_reason() {
   fi
 }
 
-# show_progress: meshlabserver's output in; out, on one line of the terminal, the reports that end in a per cent sign.
+# show_progress: meshlabserver's output in; out, on one line of the terminal, its lines that are reports of progress.
 show_progress() {
-  local report
-  if [[ ! -t 2 ]]; then
-    cat >/dev/null
-    return
-  fi
-  stdbuf -o0 tr '%' '\n' | while IFS= read -r report; do
-    if [[ $report =~ ([a-z][a-z\ ]*)\ ([0-9]+)\ $ ]]; then printf '\r\033[K%3d %%  %s' "${BASH_REMATCH[2]}" "${BASH_REMATCH[1]}" >&2; fi
+  local line
+  while IFS= read -r line; do
+    if [[ -t 2 && $line =~ ^(.*):\ ([0-9]+)%$ ]]; then
+      printf '\r\033[K%3d %%  %s' "${BASH_REMATCH[2]}" "${BASH_REMATCH[1]}" >&2
+    fi
   done
-  printf '\r\033[K' >&2
+  if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
 }
 
 # draw_picture OUT.ply OUT.png: of the quality that the last filter script asked for.

@@ -108,7 +108,7 @@ TEST_F(CurvatureScript, RefusesUnknownAndBadParameters)
 {
   write_ply(folder_ / "mesh.ply", torus(1, 0.4, 30, 16));
   expect_refused({"mesh.ply", "colour=red"}, "There is no parameter 'colour'");
-  expect_refused({"mesh.ply", "scales=0"}, "'scales' is 0");
+  expect_refused({"mesh.ply", "scales=0"}, "The parameter 'scales' is '0'");
   expect_refused({"mesh.ply", "export_file=/x.ply"}, "second argument");
 }
 

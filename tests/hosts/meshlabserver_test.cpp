@@ -74,6 +74,15 @@ TEST_F(MeshLabServer, ExportsWhatTheCoreComputesWithAFixedRadius)
   expect_equal_to_core(read_ply(folder_ / "export.ply"), mesh, parameters);
 }
 
+TEST_F(MeshLabServer, ExportsWhatTheCoreComputesOnAModel)
+{
+  const std::string model = models_folder() + "/a_closed_organic/spot_23k.ply";
+  if (!fs::exists(model)) GTEST_SKIP() << "not run: there is no " << model << " (II_MODELS names the folder of the models)";
+  const HostRun run = run_script(host_, model, exporting(), "");
+  ASSERT_EQ(run.status, 0) << run.log;
+  expect_equal_to_core(read_ply(folder_ / "export.ply"), read_ply(model).mesh(), {});
+}
+
 TEST_F(MeshLabServer, FillsQualityRadiusAndColourOfTheMeshItself)
 {
   const HostRun run = run_script(host_, written(small_torus()), exporting({"quality=2"}), folder_ / "saved.ply");
@@ -90,7 +99,8 @@ TEST_F(MeshLabServer, LaterStepsOfAScriptSeeTheNamedAttributes)
   const std::string step =
       "<filter name=\"Per Vertex Quality Function\"><Param type=\"RichString\" name=\"q\" value=\"ii_radius\"/>"
       "<Param type=\"RichBool\" name=\"normalize\" value=\"false\"/>"
-      "<Param type=\"RichBool\" name=\"map\" value=\"false\"/></filter>\n";
+      "<Param type=\"RichBool\" name=\"map\" value=\"false\"/>"
+      "<Param type=\"RichBool\" name=\"onselected\" value=\"false\"/></filter>\n";
   script.insert(script.find("</FilterScript>"), step);
   const HostRun run = run_script(host_, written(small_torus()), script, folder_ / "saved.ply");
   ASSERT_EQ(run.status, 0) << run.log;
@@ -152,9 +162,14 @@ TEST_F(MeshLabServer, RefusesRadiiInTheWrongOrder)
   expect_refused(written(small_torus()), exporting({"r_min=0.5", "r_max=0.2"}), "r_min");
 }
 
-TEST_F(MeshLabServer, RefusesAGridBeyondTheMemoryWithTheSizeItWouldHave)
+TEST_F(MeshLabServer, RefusesAGridBeyondTheMemoryWithTheSizeItNeeds)
 {
-  expect_refused(written(small_torus()), exporting({"engine=0", "r_min=0.0001", "r_max=0.3", "memory_limit_mb=64"}), "MiB");
+  expect_refused(written(small_torus()), exporting({"engine=0", "fft_cells_per_radius=64", "scales=32", "memory_limit_mb=16"}), "MiB");
+}
+
+TEST_F(MeshLabServer, RefusesAGridWithMoreCellsThanCanBeCounted)
+{
+  expect_refused(written(small_torus()), exporting({"engine=0", "radius_choice=1", "radius=1e-9"}), "cells along one axis");
 }
 
 TEST_F(MeshLabServer, RefusesAScriptWithoutAMesh)

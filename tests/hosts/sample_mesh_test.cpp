@@ -20,7 +20,7 @@ TEST(SampleMesh, IsOneClosedSurfaceOrientedOutward)
   const integral_invariant::Surface surface(mesh);
   EXPECT_TRUE(surface.is_closed());
   EXPECT_FALSE(surface.report().inside_out);
-  EXPECT_EQ(surface.report().degenerate_triangles, 0u);
+  EXPECT_EQ(surface.report().zero_area_triangles, 0u);
   EXPECT_EQ(surface.report().unreferenced_vertices, 0u);
   EXPECT_EQ(mesh.triangles.size(), 2 * mesh.positions.size() - 4);  // Euler: a sphere, without a handle
 }
