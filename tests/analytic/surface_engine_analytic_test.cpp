@@ -83,7 +83,7 @@ TEST(SurfaceEngineAnalytic, SphereConvergesToTwoBalls)
     for (std::size_t k = 0; k < radii.size(); ++k) {
       const double r = radii[k];
       const double volume = 2 * pi / 3 * r * r * r - pi * r * r * r * r / (4 * big);  // of two intersecting balls
-      EXPECT_NEAR(table[v][k].volume / volume, 1, 2e-3);
+      EXPECT_NEAR(table[v][k].volume / volume, 1, 0.012 / r);  // the inscribed mesh lies ē²/12R under the sphere
     }
 }
 

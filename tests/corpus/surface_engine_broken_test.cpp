@@ -130,6 +130,6 @@ TEST(SurfaceEngineBroken, SliversAndHoles)
 
 TEST(SurfaceEngineBroken, HighValenceCone)
 {
-  const MomentTable table = expect_sensible(cone(2000));
+  const MomentTable table = expect_sensible(cone(20000));
   EXPECT_GT(table[0][0].confidence, 0.99);
 }

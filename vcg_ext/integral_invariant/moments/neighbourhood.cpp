@@ -29,8 +29,8 @@ constexpr double rounding = 1e-9;  // of positions in normalised coordinates, wi
 
 }  // namespace
 
-SurfaceTree::SurfaceTree(const Surface& surface)
-    : order_(order_in_space(surface)),
+SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense)
+    : order_(order_in_space(surface, merge_dense)),
       triangles_(order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }),
       free_edges_(order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }),
       is_border_(order_.points.size(), false)

@@ -24,7 +24,7 @@ double small_edge(Exactness exactness)
 
 class SurfaceEngine : public MomentEngine {
  public:
-  SurfaceEngine(const Surface& surface, const Parameters& parameters) : parameters_(parameters), tree_(surface)
+  SurfaceEngine(const Surface& surface, const Parameters& parameters) : parameters_(parameters), tree_(surface, parameters.exactness != Exactness::exact)
   {
     split_into_blocks();
   }
