@@ -19,6 +19,12 @@ struct Range {
 /// Where r_max is automatic it never falls to r_min or under: a larger r_min alone moves the whole ladder up.
 Range radius_range(const Parameters& p, double unit)
 {
+  if (p.radius_choice == RadiusChoice::statistical) {
+    // Smaller balls see single triangles; larger ones pay on flat parts, and the largest costs as much as all others.
+    constexpr double smallest = 1.5, largest = 24;
+    const double low = p.r_min > 0 ? p.r_min / unit : smallest;
+    return {low, p.r_max > 0 ? p.r_max / unit : std::max(largest, 2 * low)};
+  }
   const double low = p.r_min > 0 ? p.r_min / unit : 1;
   const double high = p.r_max > 0 ? p.r_max / unit : (low < p.scales ? double(p.scales) : p.scales * low);
   return {low, high};

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 3: noise estimate. In: offset-free measures of all scales. Out: offset, σ and noise density of every vertex.
+// Cost: O(n), about 2 µs a vertex. Source: docs/method.md §4, docs/accuracy.md.
+#include "integral_invariant/radius/noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "integral_invariant/curvature/offset_free.h"
+#include "integral_invariant/support/grid_pool.h"
+
+namespace integral_invariant {
+
+namespace {
+
+/// The two scales that offsets are extrapolated from: as small as the triangulation allows.
+struct OffsetScales {
+  int first;
+  double first_weight, second_weight;  ///< sum 1, orthogonal to r⁴
+  double own_share;                    ///< variance of δ̂ over σ² is 1 − own_share · (area a vertex)
+};
+
+OffsetScales offset_scales(const std::vector<double>& radii)
+{
+  constexpr double smallest_radius = 2;  // in a smaller ball the triangles' own flatness counts
+  const int last = int(radii.size()) - 2;
+  OffsetScales s{0, 0, 0, 0};
+  while (s.first < last && radii[s.first] < smallest_radius) ++s.first;
+  const double a = radii[s.first], b = radii[s.first + 1], q = std::pow(b / a, 4);
+  s.first_weight = q / (q - 1);
+  s.second_weight = -1 / (q - 1);
+  // The fit's kernel at the centre is 4/(π r²), which is its norm too, and the product of two nested ones is the larger's.
+  const double ka = disc_variance::height / (a * a), kb = disc_variance::height / (b * b);
+  const double own = s.first_weight * ka + s.second_weight * kb;
+  const double squares = s.first_weight * s.first_weight * ka +
+                         (2 * s.first_weight * s.second_weight + s.second_weight * s.second_weight) * kb;
+  s.own_share = 2 * own - squares;
+  return s;
+}
+
+/// Areas of the vertices, a third of their triangles', projected along the normals of small balls: noise inflates the
+/// triangles' own areas.
+std::vector<double> projected_areas(const Surface& surface, const TensorField& tensors, int scale)
+{
+  std::vector<double> area(surface.vertex_count(), 0);
+  const std::vector<Vec3>& p = surface.positions();
+  for (const Triangle& t : surface.triangles()) {
+    const Vec3 doubled = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+    for (const int v : t) area[v] += dot(doubled, tensors.at_scale(v, scale).normal) / 6;
+  }
+  for (double& a : area) a = std::max(a, 0.0);
+  return area;
+}
+
+/// How much the triangles around v lie inside a smooth surface of mean curvature H on average: H times a 24th of the squared
+/// edge lengths of a triangle.
+double sagitta(const Surface& surface, std::size_t v, const CurvatureTensor& tensor)
+{
+  double squares = 0;
+  const std::uint32_t begin = surface.neighbour_start()[v], end = surface.neighbour_start()[v + 1];
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const Vec3 edge = surface.positions()[surface.neighbours()[i]] - surface.positions()[v];
+    const double height = dot(edge, tensor.normal);
+    squares += squared_norm(edge) - height * height;
+  }
+  return begin == end ? 0 : tensor.k.trace() / 2 * squares / double(end - begin) / 8;
+}
+
+/// Whether the vertex's small balls show noise and not a crease or a boundary.
+bool is_smooth(const CurvatureTensor& tensor, double radius)
+{
+  constexpr double largest_kr = 1, least_confidence = 0.95;
+  return tensor.confidence >= least_confidence && largest_absolute_curvature(tensor) * radius < largest_kr;
+}
+
+}  // namespace
+
+Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
+                     double known_sigma, Execution&)
+{
+  const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
+  const OffsetScales s = offset_scales(tensors.radii());
+  const int calm = std::min(s.first + 2, int(scales) - 1);  // a larger ball, whose curvature is less noisy
+  const std::vector<double> area = projected_areas(surface, tensors, calm);
+  constexpr double usual_area = 0.87, pool_cell = 8, triangle_noise = 0.2;
+
+  Noise noise;
+  noise.offset.resize(n);
+  std::vector<double> sag(n);
+  std::vector<std::array<double, 4>> local(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    const bool counts = surface.is_referenced(v) && is_smooth(tensors.at_scale(v, calm), tensors.radii()[calm]);
+    sag[v] = counts ? sagitta(surface, v, tensors.at_scale(v, s.first + 1)) : 0;
+    const double offset = s.first_weight * offsets[v * scales + s.first] +
+                          s.second_weight * offsets[v * scales + s.first + 1] + sag[v];
+    noise.offset[v] = counts ? offset : 0;
+    local[v] = {double(counts), counts * offset * offset, counts * area[v], counts * area[v] * area[v]};
+  }
+  const auto pooled = GridPool(surface.positions(), pool_cell).sums(local);
+
+  // Vertices without a smooth neighbourhood get the average of the others.
+  double variance_sum = 0, count = 0;
+  std::vector<double> variance(n, -1), area_each(n, usual_area);
+  for (std::size_t v = 0; v < n; ++v) {
+    if (!(pooled[v][0] > 1e-3) || !(pooled[v][2] > 0)) continue;
+    const double own = s.own_share * pooled[v][2] / pooled[v][0];
+    variance[v] = pooled[v][1] / pooled[v][0] / std::max(0.3, 1 - own);
+    area_each[v] = pooled[v][3] / pooled[v][2];
+    variance_sum += variance[v];
+    ++count;
+  }
+  const double usual_variance = count > 0 ? variance_sum / count : 0;
+  noise.sigma.resize(n);
+  noise.density.resize(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    const double own = variance[v] >= 0 ? variance[v] : usual_variance;
+    noise.sigma[v] = known_sigma > 0 ? known_sigma : std::sqrt(own);
+    const double from_triangles = triangle_noise * triangle_noise * sag[v] * sag[v];
+    noise.density[v] = area_each[v] * (noise.sigma[v] * noise.sigma[v] + from_triangles);
+  }
+  noise.mean_sigma = known_sigma > 0 ? known_sigma : std::sqrt(usual_variance);
+  return noise;
+}
+
+}  // namespace integral_invariant
