@@ -14,7 +14,8 @@ namespace integral_invariant {
 struct Noise {
   std::vector<double> offset;   ///< δ: height of the smooth surface over the vertex
   std::vector<double> sigma;    ///< local standard deviation of δ
-  std::vector<double> density;  ///< s² = σ² · (area a vertex), with what the flatness of triangles adds; see disc_variance
+  std::vector<double> density;  ///< s² = σ² · (area a vertex); see disc_variance
+  std::vector<double> flatness; ///< what the triangles' flatness costs: an error of the curvature of flatness / r⁴
   double mean_sigma = 0;        ///< root mean square of sigma
 };
 

@@ -22,6 +22,7 @@ struct State {
   double covariance = 0;        ///< of both errors
   double shape_variance = 1e30; ///< P of the scale before
   double log_radius = 0;
+  bool is_drowned = false;      ///< a scale showed nothing but noise
 };
 
 class Chain {
@@ -30,6 +31,10 @@ class Chain {
       : signal_(signal), e_(evidence), n_(evidence.density.size()), scales_(evidence.radii.size()), states_(n_),
         slope_(n_), innovation_(n_)
   {
+    for (const double r : e_.radii) {
+      random_.push_back(signal_.coefficient / std::pow(r, signal_.power));
+      inverse_eighth_.push_back(std::pow(r, -8));
+    }
   }
 
   ChainResult run()
@@ -44,13 +49,20 @@ class Chain {
   }
 
  private:
+  static constexpr double least_share = 0.1, drowned_share = 0.3;
+
   bool is_measured(std::size_t v, int i) const { return e_.balls.origin[v * scales_ + std::size_t(i)] != Origin::none; }
   Pair difference(std::size_t v, int i) const
   {
     const auto &a = signal_.at(v, scales_, i), &b = signal_.at(v, scales_, i + 1);
     return {double(a[0]) - double(b[0]), double(a[1]) - double(b[1])};
   }
-  double noise_of(int i) const { return signal_.coefficient / std::pow(e_.radii[std::size_t(i)], signal_.power); }
+  /// Variance of the measurement.
+  double noise_of(std::size_t v, int i) const
+  {
+    const double flat = signal_.is_curvature ? e_.flatness[v] * e_.flatness[v] * inverse_eighth_[std::size_t(i)] : 0;
+    return random_[std::size_t(i)] * e_.density[v] + flat;
+  }
   /// r_{i+1}² − r_i²
   double gap(int i) const
   {
@@ -64,7 +76,7 @@ class Chain {
       if (e_.balls.largest[v] != i) continue;
       const auto& y = signal_.at(v, scales_, i);
       states_[v].value = {double(y[0]), double(y[1])};
-      states_[v].variance = noise_of(i) * e_.density[v];
+      states_[v].variance = noise_of(v, i);
       states_[v].log_radius = std::log(e_.radii[std::size_t(i)]);
     }
   }
@@ -86,30 +98,33 @@ class Chain {
 
   void update(int i)
   {
-    const double step_noise = noise_of(i) - noise_of(i + 1);
     std::vector<std::array<double, 3>> energies(n_);
     for (std::size_t v = 0; v < n_; ++v) {
       energies[v] = {0, 0, 0};
       if (i >= e_.balls.largest[v] || !is_measured(v, i)) continue;
       const Pair d = difference(v, i);
       for (int c = 0; c < 2; ++c) innovation_[v][c] = d[c] - slope_[v] * states_[v].detail[c];
-      energies[v] = {1, dot(innovation_[v], innovation_[v]) / signal_.components, e_.density[v]};
+      energies[v] = {1, dot(innovation_[v], innovation_[v]) / signal_.components, noise_of(v, i) - noise_of(v, i + 1)};
     }
     const auto sums = e_.pools[std::size_t(i)].sums(energies);
     for (std::size_t v = 0; v < n_; ++v)
-      if (i < e_.balls.largest[v]) update_vertex(v, i, step_noise, sums[v]);
+      if (i < e_.balls.largest[v]) update_vertex(v, i, sums[v]);
   }
 
-  void update_vertex(std::size_t v, int i, double step_noise, const std::array<double, 3>& sums)
+  void update_vertex(std::size_t v, int i, const std::array<double, 3>& sums)
   {
     State& s = states_[v];
-    const double noise = step_noise * e_.density[v] + 1e-30;
-    double shape = sums[0] > 0 ? std::max(0.0, (sums[1] - step_noise * sums[2]) / sums[0]) : 0;
+    const double noise = noise_of(v, i) - noise_of(v, i + 1) + 1e-30;
+    double shape = sums[0] > 0 ? std::max(0.0, (sums[1] - sums[2]) / sums[0]) : 0;
+    // An average that passes the noise by little is chance, the more so under the scale at which noise took over.
+    if (shape < (s.is_drowned ? drowned_share : least_share) * noise) shape = 0;
+    s.is_drowned = s.is_drowned || shape == 0;
     // A substitute from other places shows their distance too, which the neighbourhood's average does not know.
     if (e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::neighbours)
       shape = std::max(shape, dot(innovation_[v], innovation_[v]) / signal_.components - noise);
     const bool says_nothing = !is_measured(v, i) || e_.radii[std::size_t(i)] < e_.least_radius[v];
-    const double weight = says_nothing ? 0 : shape / (shape + noise);
+    if (says_nothing) shape = 0;
+    const double weight = shape / (shape + noise);
 
     for (int c = 0; c < 2; ++c) {
       s.detail[c] = slope_[v] * s.detail[c] + weight * (says_nothing ? 0 : innovation_[v][c]);
@@ -122,7 +137,7 @@ class Chain {
   /// Shape under the noise does not show: it is taken to be as large as could have hidden, but to fall with the scale.
   static void add_uncertainty(State& s, double weight, double shape, double noise, double slope)
   {
-    constexpr double hidden_share = 0.2, largest_decay = 0.3;
+    constexpr double hidden_share = 0.5, largest_decay = 0.5;
     shape = std::max(shape, std::min(hidden_share * noise, largest_decay * s.shape_variance));
     s.shape_variance = shape;
     const double lost = 1 - weight;
@@ -151,6 +166,7 @@ class Chain {
   const Signal& signal_;
   const ScaleEvidence& e_;
   const std::size_t n_, scales_;
+  std::vector<double> random_, inverse_eighth_;  ///< a scale: variance over density, r⁻⁸
   std::vector<State> states_;
   std::vector<double> slope_;
   std::vector<Pair> innovation_;

@@ -15,6 +15,7 @@ namespace integral_invariant {
 /// coefficient · s² / r^power for each component, independent between differences of scales (see disc_variance).
 struct Signal {
   int components;
+  bool is_curvature;
   double coefficient;
   int power;
   std::vector<std::array<float, 2>> values;  ///< n × scales
@@ -30,6 +31,7 @@ struct ScaleEvidence {
   const std::vector<double>& radii;
   const WholeBalls& balls;
   const std::vector<double>& density;       ///< n: s²
+  const std::vector<double>& flatness;      ///< n: further error of a curvature, times r⁴
   const std::vector<double>& least_radius;  ///< n: smaller balls are not linear in the noise and say nothing
   const std::vector<GridPool>& pools;       ///< one a scale but the largest, for averages over the neighbourhood
   bool predict;                             ///< whether a scale is predicted from the larger one: removes bias

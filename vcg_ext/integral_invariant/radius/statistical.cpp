@@ -46,8 +46,9 @@ struct Signals {
 Signals make_signals(const TensorField& tensors, const std::vector<Frame>& frames, Execution& execution)
 {
   const std::size_t n = frames.size(), scales = tensors.radii().size();
-  Signals s{{1, disc_variance::mean_curvature, 6, {}}, {2, disc_variance::deviator, 6, {}},
-            {2, disc_variance::normal, 4, {}}};
+  Signals s{{1, true, disc_variance::mean_curvature, 6, {}},
+            {2, true, disc_variance::deviator, 6, {}},
+            {2, false, disc_variance::normal, 4, {}}};
   for (Signal* signal : {&s.mean, &s.deviator, &s.normal}) signal->values.resize(n * scales);
   parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v)
@@ -115,7 +116,7 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
     pools.emplace_back(surface.positions(), std::max(least_pool, pool_over_radius * radii[i + 1]));
     execution.report(0.3 + 0.2 * double(i) / double(radii.size()));
   }
-  const ScaleEvidence evidence{radii, balls, noise.density, least_radius, pools, removes_bias};
+  const ScaleEvidence evidence{radii, balls, noise.density, noise.flatness, least_radius, pools, removes_bias};
   const ChainResult mean = run_scale_chain(signals.mean, evidence);
   execution.report(0.65);
   const ChainResult deviator = run_scale_chain(signals.deviator, evidence);
