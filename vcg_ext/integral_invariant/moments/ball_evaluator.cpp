@@ -15,7 +15,8 @@ constexpr double pi = 3.14159265358979323846;
 }  // namespace
 
 BallEvaluator::BallEvaluator(const std::vector<double>& radii, bool same_sheet)
-    : radii_(radii), scales_(std::uint32_t(radii.size())), same_sheet_(same_sheet), batches_(radii.size()), is_wide_(radii.size(), 0)
+    : radii_(radii), scales_(std::uint32_t(radii.size())), same_sheet_(same_sheet), whole_count_(radii.size() + 1, 0),
+      batches_(radii.size()), is_wide_(radii.size(), 0)
 {
   for (const double r : radii) squared_radii_.push_back(r * r);
 }
@@ -33,7 +34,9 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   if (same_sheet_) keep_own_sheet(near, centre);
   for (std::uint32_t k = 0; k < scales_; ++k)
     if (near.has_far[k]) shells_[k] += cone_moments(near.far[k], -centre_);
-  for (const LocalLeaf& leaf : near.leaves) add_leaf(near, leaf);
+  sort_triangles(near);
+  add_whole_triangles(near);
+  for (std::size_t i = 0; i < cut_count_; ++i) add_cut(near.corners[cut_[i]]);
   for (const std::uint32_t i : near.large) add_large(near.corners[i], near.triangles[i]);
   add_free_edges(near);
   finish();
@@ -62,35 +65,58 @@ void BallEvaluator::place(const Neighbourhood& near)
                z_.data(), scale_of_.data());
 }
 
-void BallEvaluator::add_leaf(const Neighbourhood& near, const LocalLeaf& leaf)
+void BallEvaluator::sort_triangles(const Neighbourhood& near)
 {
-  const double reach = radii_.back() + leaf.sphere.radius;
-  if (squared_norm(leaf.sphere.centre - centre_) > reach * reach) return;
-  for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) add_triangle(near.corners[i], near.triangles[i]);
+  const std::size_t size = near.corners.size();
+  whole_.resize(scales_ + 1);
+  for (std::vector<std::uint32_t>& list : whole_)
+    if (list.size() < size) list.resize(size);
+  if (cut_.size() < size) cut_.resize(size);
+  std::fill(whole_count_.begin(), whole_count_.end(), 0);
+  cut_count_ = 0;
+  for (const LocalLeaf& leaf : near.leaves) {
+    const double reach = radii_.back() + leaf.sphere.radius;
+    if (squared_norm(leaf.sphere.centre - centre_) > reach * reach) continue;
+    for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
+      const std::array<std::uint32_t, 3>& corner = near.corners[i].corner;
+      const std::int64_t a = scale_of_[corner[0]], b = scale_of_[corner[1]], c = scale_of_[corner[2]];
+      const std::int64_t low = std::min(a, b), high = std::max(a, b);
+      // Written in any case and counted where it applies: whether it does is as good as random.
+      const std::int64_t median = std::max(low, std::min(high, c));
+      whole_[std::size_t(median)][whole_count_[std::size_t(median)]++] = i;
+      cut_[cut_count_] = i;
+      cut_count_ += (low != c) | (high != c);
+    }
+  }
 }
 
-void BallEvaluator::add_triangle(const LocalCorners& corners, const LocalTriangle& triangle)
+void BallEvaluator::add_whole_triangles(const Neighbourhood& near)
+{
+  for (std::uint32_t k = 0; k < scales_; ++k) {
+    // From its second vertex's scale on a triangle counts as whole, less the corner that is still outside.
+    MomentSums sum;
+    for (std::uint32_t i = 0; i < whole_count_[k]; ++i) {
+      const LocalTriangle& t = near.triangles[whole_[k][i]];
+      const Vec3 y = t.centroid - centre_;
+      const double det = dot(t.doubled_area, y);
+      sum.volume += det;
+      sum.first += y * det;
+      sum.second += (t.spread + outer(y)) * det;
+    }
+    shells_[k] += {sum.volume * (1.0 / 6), sum.first * 0.125, sum.second * 0.1};
+  }
+}
+
+void BallEvaluator::add_cut(const LocalCorners& corners)
 {
   const std::uint32_t s[3] = {std::uint32_t(scale_of_[corners.corner[0]]), std::uint32_t(scale_of_[corners.corner[1]]),
                               std::uint32_t(scale_of_[corners.corner[2]])};
   const std::uint32_t least = std::min({s[0], s[1], s[2]}), most = std::max({s[0], s[1], s[2]});
-  if (least == scales_) return;
-
-  // From its second vertex's scale on the triangle counts as whole, less the corner that is still outside.
   const std::uint32_t median = s[0] + s[1] + s[2] - least - most;
-  if (median < scales_) add_whole(triangle, median);
-  if (least == most) return;
   const int nearest = s[0] == least ? 0 : s[1] == least ? 1 : 2;
   const int farthest = s[2] == most ? 2 : s[1] == most ? 1 : 0;
   for (std::uint32_t k = least; k < median; ++k) add_corner(corners, nearest, k, true);
   for (std::uint32_t k = median; k < most; ++k) add_corner(corners, farthest, k, false);
-}
-
-void BallEvaluator::add_whole(const LocalTriangle& t, std::uint32_t scale)
-{
-  const Vec3 y = t.centroid - centre_;
-  const double det = dot(t.doubled_area, y);
-  shells_[scale] += {det * (1.0 / 6), y * (det * 0.125), t.spread * (det * (1.0 / 120)) + outer(y) * (det * 0.1)};
 }
 
 void BallEvaluator::add_corner(const LocalCorners& t, int lone, std::uint32_t k, bool lone_is_inside)

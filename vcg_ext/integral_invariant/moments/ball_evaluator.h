@@ -30,9 +30,9 @@ class BallEvaluator {
   void clear();
   void place(const Neighbourhood& near);
   void keep_own_sheet(const Neighbourhood& near, std::uint32_t centre);
-  void add_leaf(const Neighbourhood& near, const LocalLeaf& leaf);
-  void add_triangle(const LocalCorners& corners, const LocalTriangle& triangle);
-  void add_whole(const LocalTriangle& triangle, std::uint32_t scale);
+  void sort_triangles(const Neighbourhood& near);
+  void add_whole_triangles(const Neighbourhood& near);
+  void add_cut(const LocalCorners& corners);
   void add_corner(const LocalCorners& corners, int lone, std::uint32_t scale, bool lone_is_inside);
   void add_large(const LocalCorners& corners, const LocalTriangle& triangle);
   void add_free_edges(const Neighbourhood& near);
@@ -53,6 +53,9 @@ class BallEvaluator {
   Vec3 pole_, centre_;
   std::vector<double> x_, y_, z_;           ///< local points relative to the balls' centre
   std::vector<std::int64_t> scale_of_;      ///< per local point: the first scale whose ball holds it
+  std::vector<std::vector<std::uint32_t>> whole_;        ///< per scale: triangles whose second vertex is inside from it on
+  std::vector<std::uint32_t> whole_count_, cut_;         ///< and those that some sphere cuts
+  std::size_t cut_count_ = 0;
   std::vector<MomentSums> shells_;          ///< whole triangles, by the first scale that holds them
   std::vector<CornerBatch> batches_;        ///< per scale: corners to come
   std::vector<char> is_wide_;               ///< per scale: some corner of the batch may have a long chord

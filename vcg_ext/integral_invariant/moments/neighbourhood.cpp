@@ -155,7 +155,7 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   if (squared_norm(t.centroid) > (reach + t.longest_edge) * (reach + t.longest_edge)) return;
   for (int i = 0; i < 3; ++i) corners.corner[i] = local(std::uint32_t(triangle[i]));
   t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
-  t.spread = outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid);
+  t.spread = (outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid)) * (1.0 / 12);
   corners.first_small_scale = scale_holding(t.longest_edge, small_edge_);
   corners.first_narrow_scale = scale_holding(t.longest_edge, longest_narrow_chord);
   if (corners.first_small_scale > 0 &&

@@ -44,7 +44,7 @@ struct LocalCorners {
 /// What the triangle's cone moments about any apex are made of.
 struct LocalTriangle {
   Vec3 centroid, doubled_area;      ///< doubled_area = (b − a) × (c − a)
-  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ over the corners
+  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ / 12 over the corners
   double longest_edge;
 };
 
