@@ -24,7 +24,7 @@ double small_edge(Exactness exactness)
 
 class SurfaceEngine : public MomentEngine {
  public:
-  SurfaceEngine(const Surface& surface, const Parameters& parameters) : parameters_(parameters), tree_(surface)
+  SurfaceEngine(const Surface& surface, const Parameters& parameters) : parameters_(parameters), tree_(surface, parameters.exactness != Exactness::exact)
   {
     split_into_blocks();
   }
@@ -40,7 +40,7 @@ class SurfaceEngine : public MomentEngine {
       std::unique_ptr<Worker>& w = workers[std::size_t(worker)];
       if (!w)
         w.reset(new Worker{{tree_, radii, small_edge(parameters_.exactness), !parameters_.same_sheet},
-                           BallEvaluator(radii)});
+                           BallEvaluator(radii, parameters_.same_sheet)});
       for (std::size_t block = begin; block < end; ++block)
         evaluate_block(blocks_[block], blocks_[block + 1], w->gatherer, w->evaluator, sink);
     });
@@ -55,8 +55,8 @@ class SurfaceEngine : public MomentEngine {
   /// Runs of points along the curve that stay together: what one ball of the block touches, the others touch too.
   void split_into_blocks()
   {
-    constexpr std::size_t largest_block = 32;
-    constexpr double largest_extent = 5;  // edges
+    constexpr std::size_t largest_block = 64;
+    constexpr double largest_extent = 8;  // edges
     const std::vector<Vec3>& points = tree_.order().points;
     Vec3 low, high;
     for (std::size_t i = 0; i < points.size(); ++i) {
