@@ -71,7 +71,7 @@ void measure_speed(const std::string& name, const Surface& surface, const std::v
   double best_wall = 1e9, best_cpu = 1e9, best_prepare = 1e9;
   const double before = memory_bytes("VmRSS:");
   double checksum = 0;
-  const int repeats = surface.vertex_count() > 500000 ? 1 : 3;
+  const int repeats = surface.vertex_count() > 100000 ? 1 : 3;
   for (int repeat = 0; repeat < repeats; ++repeat) {
     Execution execution(threads);
     std::vector<double> volume(surface.vertex_count());
