@@ -99,6 +99,7 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.centre = block_.centre;
   local_.corners.clear();
   local_.triangles.clear();
+  local_.all_small_scale = local_.all_narrow_scale = 0;
   local_.leaves.clear();
   local_.large.clear();
   local_.free_edges.clear();
@@ -161,6 +162,8 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   if (corners.first_small_scale > 0 &&
       norm(t.centroid) < radii_[corners.first_small_scale - 1] + block_.radius + t.longest_edge)
     local_.large.push_back(std::uint32_t(local_.corners.size()));
+  local_.all_small_scale = std::max<std::uint32_t>(local_.all_small_scale, corners.first_small_scale);
+  local_.all_narrow_scale = std::max<std::uint32_t>(local_.all_narrow_scale, corners.first_narrow_scale);
   local_.corners.push_back(corners);
   local_.triangles.push_back(t);
 }

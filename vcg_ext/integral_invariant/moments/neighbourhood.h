@@ -67,6 +67,7 @@ struct Neighbourhood {
   std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
   std::vector<LocalCorners> corners;        ///< per triangle
   std::vector<LocalTriangle> triangles;
+  std::uint32_t all_small_scale = 0, all_narrow_scale = 0;  ///< largest of the triangles' first scales
   std::vector<LocalLeaf> leaves;
   std::vector<std::uint32_t> large;         ///< triangles that a sphere against which they are large may cut
   std::vector<LocalFreeEdge> free_edges;
