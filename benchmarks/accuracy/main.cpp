@@ -84,23 +84,11 @@ void run_peers(const Cell& cell, const TruthMesh& truth)
     }
 }
 
-integral_invariant::Parameters best()
-{
-  integral_invariant::Parameters p;
-  p.engine = integral_invariant::EngineKind::surface_integral;
-  p.radius_choice = integral_invariant::RadiusChoice::statistical;
-  p.estimator = integral_invariant::Estimator::bias_free;
-  p.spacing = integral_invariant::ScaleSpacing::geometric;
-  p.scales = 9;
-  p.threads = 1;
-  return p;
-}
-
 void run_ours(const Cell& cell, const TruthMesh& truth)
 {
   const TriangleMesh mesh = with_noise(truth, cell.sigma, cell.seed());
   const auto start = std::chrono::steady_clock::now();
-  const integral_invariant::Result r = integral_invariant::compute_curvature(mesh, best());
+  const integral_invariant::Result r = integral_invariant::compute_curvature(mesh, {});
   const double seconds = seconds_since(start);
   std::vector<Estimate> estimates;
   for (const std::uint32_t v : truth.judged) estimates.push_back({r.kappa_max[v], r.kappa_min[v], r.dir_max[v], r.standard_error[v]});

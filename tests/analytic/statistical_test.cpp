@@ -12,17 +12,7 @@ using namespace test_support;
 
 namespace {
 
-Parameters statistical()
-{
-  Parameters p;
-  p.engine = EngineKind::surface_integral;
-  p.radius_choice = RadiusChoice::statistical;
-  p.estimator = Estimator::bias_free;
-  p.spacing = ScaleSpacing::geometric;
-  p.scales = 8;
-  p.r_max = 0;
-  return p;
-}
+Parameters statistical() { return {}; }
 
 TriangleMesh noisy_sphere(double sigma, double radius = 1)
 {

@@ -58,6 +58,14 @@ void require_choice(const char* name, Enum value, Enum last)
 
 }  // namespace
 
+Parameters published_method()
+{
+  Parameters p;
+  p.radius_choice = RadiusChoice::feature_adapted;
+  p.estimator = Estimator::yang06;
+  return p;
+}
+
 void validate(const Parameters& p)
 {
   require_choice("radius_choice", p.radius_choice, RadiusChoice::statistical);

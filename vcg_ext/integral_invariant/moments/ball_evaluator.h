@@ -17,6 +17,13 @@ struct MissingSurface {
   double angle = 0, moment = 0;
 };
 
+/// A corner that a sphere cuts off a triangle: its vertex, alone inside (sign +1) or outside (−1), and the other two.
+struct LocalCorner {
+  std::uint32_t lone, next, previous;
+  std::int32_t sign;
+  std::uint32_t triangle;
+};
+
 /// Scratch memory and method for one worker.
 class BallEvaluator {
  public:
@@ -30,17 +37,17 @@ class BallEvaluator {
   void clear();
   void place(const Neighbourhood& near);
   void keep_own_sheet(const Neighbourhood& near, std::uint32_t centre);
-  void add_leaf(const Neighbourhood& near, const LocalLeaf& leaf);
-  void add_triangle(const LocalCorners& corners, const LocalTriangle& triangle);
-  void add_whole(const LocalTriangle& triangle, std::uint32_t scale);
-  void add_corner(const LocalCorners& corners, int lone, std::uint32_t scale, bool lone_is_inside);
+  void sort_triangles(const Neighbourhood& near);
+  void add_whole_triangles(const Neighbourhood& near);
+  void list_corners(const Neighbourhood& near);
+  void add_listed_corners(const Neighbourhood& near, std::uint32_t scale);
+  void add_curved_corner(const LocalCorner& corner, std::uint32_t scale);
   void add_large(const LocalCorners& corners, const LocalTriangle& triangle);
   void add_free_edges(const Neighbourhood& near);
   void add_free_edge(const LocalFreeEdge& edge);
   void add_ray(const LocalFreeEdge& edge);
   void close_surface();
   bool touches_centre(const std::array<Vec3, 3>& triangle) const;
-  void flush(std::uint32_t scale);
   void finish();
   Vec3 point(std::uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
 
@@ -53,9 +60,13 @@ class BallEvaluator {
   Vec3 pole_, centre_;
   std::vector<double> x_, y_, z_;           ///< local points relative to the balls' centre
   std::vector<std::int64_t> scale_of_;      ///< per local point: the first scale whose ball holds it
+  std::vector<std::vector<std::uint32_t>> whole_;        ///< per scale: triangles whose second vertex is inside from it on
+  std::vector<std::uint32_t> whole_count_, cut_;         ///< and those that some sphere cuts
+  std::size_t cut_count_ = 0;
   std::vector<MomentSums> shells_;          ///< whole triangles, by the first scale that holds them
-  std::vector<CornerBatch> batches_;        ///< per scale: corners to come
-  std::vector<char> is_wide_;               ///< per scale: some corner of the batch may have a long chord
+  std::vector<std::vector<LocalCorner>> corners_;       ///< per scale: what its sphere cuts off
+  std::vector<std::uint32_t> corner_count_;
+  CornerBatch batch_;
   std::vector<CornerSums> cuts_;            ///< per scale: what belongs to that scale alone
   std::vector<ArcSums> shell_arcs_, cut_arcs_;
   bool is_border_ = false;

@@ -56,6 +56,6 @@ struct CornerSums {
 /// Adds the batch's corners and empties it. `wide`: some chord may be longer than `longest_narrow_chord` radii.
 void add_corners(CornerBatch& batch, double radius, const Vec3& pole, bool wide, CornerSums& sums);
 
-inline constexpr double longest_narrow_chord = 0.765;
+inline constexpr double longest_narrow_chord = 1.0;
 
 }  // namespace integral_invariant

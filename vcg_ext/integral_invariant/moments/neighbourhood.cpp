@@ -99,6 +99,7 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.centre = block_.centre;
   local_.corners.clear();
   local_.triangles.clear();
+  local_.all_small_scale = local_.all_narrow_scale = 0;
   local_.leaves.clear();
   local_.large.clear();
   local_.free_edges.clear();
@@ -155,12 +156,14 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   if (squared_norm(t.centroid) > (reach + t.longest_edge) * (reach + t.longest_edge)) return;
   for (int i = 0; i < 3; ++i) corners.corner[i] = local(std::uint32_t(triangle[i]));
   t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
-  t.spread = outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid);
+  t.spread = (outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid)) * (1.0 / 12);
   corners.first_small_scale = scale_holding(t.longest_edge, small_edge_);
   corners.first_narrow_scale = scale_holding(t.longest_edge, longest_narrow_chord);
   if (corners.first_small_scale > 0 &&
       norm(t.centroid) < radii_[corners.first_small_scale - 1] + block_.radius + t.longest_edge)
     local_.large.push_back(std::uint32_t(local_.corners.size()));
+  local_.all_small_scale = std::max<std::uint32_t>(local_.all_small_scale, corners.first_small_scale);
+  local_.all_narrow_scale = std::max<std::uint32_t>(local_.all_narrow_scale, corners.first_narrow_scale);
   local_.corners.push_back(corners);
   local_.triangles.push_back(t);
 }

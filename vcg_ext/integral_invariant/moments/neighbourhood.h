@@ -44,7 +44,7 @@ struct LocalCorners {
 /// What the triangle's cone moments about any apex are made of.
 struct LocalTriangle {
   Vec3 centroid, doubled_area;      ///< doubled_area = (b − a) × (c − a)
-  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ over the corners
+  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ / 12 over the corners
   double longest_edge;
 };
 
@@ -67,6 +67,7 @@ struct Neighbourhood {
   std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
   std::vector<LocalCorners> corners;        ///< per triangle
   std::vector<LocalTriangle> triangles;
+  std::uint32_t all_small_scale = 0, all_narrow_scale = 0;  ///< largest of the triangles' first scales
   std::vector<LocalLeaf> leaves;
   std::vector<std::uint32_t> large;         ///< triangles that a sphere against which they are large may cut
   std::vector<LocalFreeEdge> free_edges;

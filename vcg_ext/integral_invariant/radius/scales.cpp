@@ -55,8 +55,8 @@ std::vector<double> scale_radii(const Parameters& p, double unit)
   std::vector<double> radii(p.scales);
   for (int i = 0; i < p.scales; ++i) {
     const double t = double(i) / (p.scales - 1);
-    radii[i] = p.spacing == ScaleSpacing::linear ? range.low + t * (range.high - range.low)
-                                                 : range.low * std::pow(range.high / range.low, t);
+    const bool is_linear = p.spacing == ScaleSpacing::linear && p.radius_choice != RadiusChoice::statistical;
+    radii[i] = is_linear ? range.low + t * (range.high - range.low) : range.low * std::pow(range.high / range.low, t);
   }
   radii.back() = range.high;
   return radii;
