@@ -77,6 +77,8 @@ void add_properties(ExportMesh& mesh, vcg::tri::io::PlyInfo& info, const Result&
   add_property(mesh, info, "ii_kmax", [&](std::size_t v) { return result.kappa_max[v]; });
   add_property(mesh, info, "ii_kmin", [&](std::size_t v) { return result.kappa_min[v]; });
   add_property(mesh, info, "ii_radius", [&](std::size_t v) { return result.radius[v]; });
+  if (!result.standard_error.empty())
+    add_property(mesh, info, "ii_error", [&](std::size_t v) { return result.standard_error[v]; });
   add_property(mesh, info, "ii_confidence", [&](std::size_t v) { return result.confidence[v]; });
   add_direction(mesh, info, {"ii_dirmax_x", "ii_dirmax_y", "ii_dirmax_z"}, result.dir_max);
   add_direction(mesh, info, {"ii_dirmin_x", "ii_dirmin_y", "ii_dirmin_z"}, result.dir_min);

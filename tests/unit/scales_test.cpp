@@ -24,7 +24,7 @@ TEST(Scales, AutomaticRadiiAreMultiplesOfTheAverageEdge)
 
 TEST(Scales, GeometricRadiiHaveAConstantRatio)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.spacing = ScaleSpacing::geometric;
   p.r_min = 2 * edge;
   p.r_max = 64 * edge;
@@ -35,7 +35,7 @@ TEST(Scales, GeometricRadiiHaveAConstantRatio)
 
 TEST(Scales, LargeSmallestRadiusMovesTheLadderUp)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.r_min = 10 * edge;
   const std::vector<double> radii = scale_radii(p, edge);
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(radii[i], 10 * (i + 1), 1e-12);
@@ -43,7 +43,7 @@ TEST(Scales, LargeSmallestRadiusMovesTheLadderUp)
 
 TEST(Scales, OneScaleAndFixedRadius)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.scales = 1;
   EXPECT_EQ(scale_radii(p, edge), std::vector<double>{1});
   p = {};
@@ -55,7 +55,7 @@ TEST(Scales, OneScaleAndFixedRadius)
 
 TEST(Scales, SmallestMustBeUnderTheLargest)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.r_min = 2;
   p.r_max = 1;
   try {
@@ -69,7 +69,7 @@ TEST(Scales, SmallestMustBeUnderTheLargest)
 TEST(Parameters, EveryRangeIsHeld)
 {
   const auto rejected = [](const char* name, auto change) {
-    Parameters p;
+    Parameters p = published_method();
     change(p);
     try {
       validate(p);

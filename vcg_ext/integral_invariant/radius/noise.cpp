@@ -52,24 +52,34 @@ std::vector<double> projected_areas(const Surface& surface, const TensorField& t
   return area;
 }
 
-/// Mean square of the edges at v, projected along the normal.
-double squared_edge(const Surface& surface, std::size_t v, const Vec3& normal)
+/// Squared lengths of the edges at v, projected along the normal.
+struct SquaredEdges {
+  double mean = 0, deviation = 0;
+};
+
+SquaredEdges squared_edges(const Surface& surface, std::size_t v, const Vec3& normal)
 {
-  double squares = 0;
+  double sum = 0, squares = 0;
   const std::uint32_t begin = surface.neighbour_start()[v], end = surface.neighbour_start()[v + 1];
+  if (begin == end) return {};
   for (std::uint32_t i = begin; i < end; ++i) {
     const Vec3 edge = surface.positions()[surface.neighbours()[i]] - surface.positions()[v];
-    const double height = dot(edge, normal);
-    squares += squared_norm(edge) - height * height;
+    const double height = dot(edge, normal), squared = squared_norm(edge) - height * height;
+    sum += squared;
+    squares += squared * squared;
   }
-  return begin == end ? 0 : squares / double(end - begin);
+  const double mean = sum / double(end - begin);
+  return {mean, std::sqrt(std::max(0.0, squares / double(end - begin) - mean * mean))};
 }
 
-/// Whether the vertex's small balls show noise and not a crease or a boundary.
-bool is_smooth(const CurvatureTensor& tensor, double radius)
+/// How much a vertex's small balls show noise and not a crease or a boundary. A little for strong curvature: a small part
+/// may have nothing better.
+double smoothness(const CurvatureTensor& tensor, double radius)
 {
-  constexpr double largest_kr = 1, least_confidence = 0.95;
-  return tensor.confidence >= least_confidence && largest_absolute_curvature(tensor) * radius < largest_kr;
+  constexpr double smooth_kr = 0.5, largest_kr = 1, least_confidence = 0.95, strong_curvature_weight = 0.02;
+  if (tensor.confidence < least_confidence) return 0;
+  const double kr = largest_absolute_curvature(tensor) * radius;
+  return kr < smooth_kr ? 1 : (kr < largest_kr ? strong_curvature_weight : 0);
 }
 
 }  // namespace
@@ -88,17 +98,20 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   Noise noise;
   noise.offset.resize(n);
   noise.flatness.resize(n);
+  std::vector<double> uneven(n);  // how much triangles differ in how far they lie inside
   std::vector<std::array<double, 4>> local(n);
   for (std::size_t v = 0; v < n; ++v) {
-    const bool counts = surface.is_referenced(v) && is_smooth(tensors.at_scale(v, calm), tensors.radii()[calm]);
+    const double counts = surface.is_referenced(v) ? smoothness(tensors.at_scale(v, calm), tensors.radii()[calm]) : 0;
     const CurvatureTensor small = tensors.at_scale(v, s.first + 1);
-    const double edge2 = squared_edge(surface, v, small.normal), mean = small.k.trace() / 2;
-    noise.flatness[v] = flatness_error * std::abs(mean) * edge2 * edge2;
+    const SquaredEdges edges = squared_edges(surface, v, small.normal);
+    const double mean = small.k.trace() / 2;
+    noise.flatness[v] = flatness_error * std::abs(mean) * edges.mean * edges.mean;
+    uneven[v] = mean * edges.deviation / 8;
     // Triangles lie inside a smooth surface, on average by H times a 24th of a triangle's squared edges.
     const double offset = s.first_weight * offsets[v * scales + s.first] +
-                          s.second_weight * offsets[v * scales + s.first + 1] + mean * edge2 / 8;
-    noise.offset[v] = counts ? offset : 0;
-    local[v] = {double(counts), counts * offset * offset, counts * area[v], counts * area[v] * area[v]};
+                          s.second_weight * offsets[v * scales + s.first + 1] + mean * edges.mean / 8;
+    noise.offset[v] = counts > 0 ? offset : 0;
+    local[v] = {counts, counts * offset * offset, counts * area[v], counts * area[v] * area[v]};
   }
   const auto pooled = GridPool(surface.positions(), pool_cell).sums(local);
 
@@ -119,7 +132,7 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   for (std::size_t v = 0; v < n; ++v) {
     const double own = variance[v] >= 0 ? variance[v] : usual_variance;
     noise.sigma[v] = known_sigma > 0 ? known_sigma : std::sqrt(own);
-    noise.density[v] = area_each[v] * noise.sigma[v] * noise.sigma[v];
+    noise.density[v] = area_each[v] * (noise.sigma[v] * noise.sigma[v] + uneven[v] * uneven[v]);
   }
   noise.mean_sigma = known_sigma > 0 ? known_sigma : std::sqrt(usual_variance);
   return noise;
