@@ -72,14 +72,13 @@ SquaredEdges squared_edges(const Surface& surface, std::size_t v, const Vec3& no
   return {mean, std::sqrt(std::max(0.0, squares / double(end - begin) - mean * mean))};
 }
 
-/// How much a vertex's small balls show noise and not a crease or a boundary. A little for strong curvature: a small part
-/// may have nothing better.
+/// How much a vertex's small balls show noise and not a crease or a boundary. It falls gently with the curvature: a small
+/// part may have nothing better, and a threshold would pick vertices by their noise.
 double smoothness(const CurvatureTensor& tensor, double radius)
 {
-  constexpr double smooth_kr = 0.5, largest_kr = 1, least_confidence = 0.95, strong_curvature_weight = 0.02;
-  if (tensor.confidence < least_confidence) return 0;
+  constexpr double usual_kr = 0.6, largest_kr = 1.2, least_confidence = 0.95;
   const double kr = largest_absolute_curvature(tensor) * radius;
-  return kr < smooth_kr ? 1 : (kr < largest_kr ? strong_curvature_weight : 0);
+  return tensor.confidence < least_confidence || kr > largest_kr ? 0 : 1 / (1 + std::pow(kr / usual_kr, 6));
 }
 
 }  // namespace

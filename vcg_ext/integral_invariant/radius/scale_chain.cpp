@@ -49,7 +49,7 @@ class Chain {
   }
 
  private:
-  static constexpr double least_share = 0.1, drowned_share = 0.3;
+  static constexpr double least_share = 0.1, drowned_share = 0.3, largest_energy = 25, evident_energy = 12;
 
   bool is_measured(std::size_t v, int i) const { return e_.balls.origin[v * scales_ + std::size_t(i)] != Origin::none; }
   Pair difference(std::size_t v, int i) const
@@ -63,6 +63,7 @@ class Chain {
     const double flat = signal_.is_curvature ? e_.flatness[v] * e_.flatness[v] * inverse_eighth_[std::size_t(i)] : 0;
     return random_[std::size_t(i)] * e_.density[v] + flat;
   }
+  double energy(std::size_t v) const { return dot(innovation_[v], innovation_[v]) / signal_.components; }
   /// r_{i+1}² − r_i²
   double gap(int i) const
   {
@@ -101,10 +102,13 @@ class Chain {
     std::vector<std::array<double, 3>> energies(n_);
     for (std::size_t v = 0; v < n_; ++v) {
       energies[v] = {0, 0, 0};
+      innovation_[v] = {};
       if (i >= e_.balls.largest[v] || !is_measured(v, i)) continue;
       const Pair d = difference(v, i);
       for (int c = 0; c < 2; ++c) innovation_[v][c] = d[c] - slope_[v] * states_[v].detail[c];
-      energies[v] = {1, dot(innovation_[v], innovation_[v]) / signal_.components, noise_of(v, i) - noise_of(v, i + 1)};
+      const double noise = noise_of(v, i) - noise_of(v, i + 1);
+      // A crease must not spread its strength over the flat parts around.
+      energies[v] = {1, std::min(energy(v), largest_energy * noise), noise};
     }
     const auto sums = e_.pools[std::size_t(i)].sums(energies);
     for (std::size_t v = 0; v < n_; ++v)
@@ -119,9 +123,10 @@ class Chain {
     // An average that passes the noise by little is chance, the more so under the scale at which noise took over.
     if (shape < (s.is_drowned ? drowned_share : least_share) * noise) shape = 0;
     s.is_drowned = s.is_drowned || shape == 0;
-    // A substitute from other places shows their distance too, which the neighbourhood's average does not know.
-    if (e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::neighbours)
-      shape = std::max(shape, dot(innovation_[v], innovation_[v]) / signal_.components - noise);
+    // What stands out of the noise at the vertex itself is shape. A substitute from other places shows their distance too,
+    // which the neighbourhood's average does not know.
+    const bool is_substitute = e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::neighbours;
+    shape = std::max(shape, energy(v) - (is_substitute ? 1 : evident_energy) * noise);
     const bool says_nothing = !is_measured(v, i) || e_.radii[std::size_t(i)] < e_.least_radius[v];
     if (says_nothing) shape = 0;
     const double weight = shape / (shape + noise);
