@@ -17,9 +17,18 @@ constexpr double edge = 0.25;  // average edge length in the caller's unit
 
 TEST(Scales, AutomaticRadiiAreMultiplesOfTheAverageEdge)
 {
-  const std::vector<double> radii = scale_radii({}, edge);
+  const std::vector<double> radii = scale_radii(published_method(), edge);
   ASSERT_EQ(radii.size(), 8u);
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(radii[i], i + 1, 1e-15);
+}
+
+TEST(Scales, StatisticalRadiiAreGeometricAndReachFar)
+{
+  const std::vector<double> radii = scale_radii({}, edge);
+  ASSERT_EQ(radii.size(), 8u);
+  EXPECT_NEAR(radii.front(), 1.5, 1e-12);
+  EXPECT_NEAR(radii.back(), 24, 1e-12);
+  for (int i = 2; i < 8; ++i) EXPECT_NEAR(radii[i] / radii[i - 1], radii[1] / radii[0], 1e-12);
 }
 
 TEST(Scales, GeometricRadiiHaveAConstantRatio)

@@ -126,7 +126,8 @@ class Chain {
     // What stands out of the noise at the vertex itself is shape. A substitute from other places shows their distance too,
     // which the neighbourhood's average does not know.
     const bool is_substitute = e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::neighbours;
-    shape = std::max(shape, energy(v) - (is_substitute ? 1 : evident_energy) * noise);
+    const double evident = is_substitute ? 1 : s.is_drowned ? largest_energy : evident_energy;
+    shape = std::max(shape, energy(v) - evident * noise);
     const bool says_nothing = !is_measured(v, i) || e_.radii[std::size_t(i)] < e_.least_radius[v];
     if (says_nothing) shape = 0;
     const double weight = shape / (shape + noise);
