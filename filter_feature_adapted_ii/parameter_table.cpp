@@ -117,7 +117,7 @@ std::vector<ParameterSpec> method_rows()
            "raise it for a noisy mesh.", "[Lai09] 4.1"}),
       length<&P::r_max>("r_max",
           {"Largest radius",
-           "Radius of the largest ball. 0: the number of scales times the average edge length (statistical: 24 of it).",
+           "Radius of the largest ball. 0: the number of scales times the average edge length (statistical: 16 of it).",
            "[Lai09] 4.1"}),
       length<&P::radius>("radius",
           {"Fixed radius",

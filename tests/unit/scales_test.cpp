@@ -25,10 +25,10 @@ TEST(Scales, AutomaticRadiiAreMultiplesOfTheAverageEdge)
 TEST(Scales, StatisticalRadiiAreGeometricAndReachFar)
 {
   const std::vector<double> radii = scale_radii({}, edge);
-  ASSERT_EQ(radii.size(), 8u);
+  ASSERT_EQ(radii.size(), 7u);
   EXPECT_NEAR(radii.front(), 1.5, 1e-12);
-  EXPECT_NEAR(radii.back(), 24, 1e-12);
-  for (int i = 2; i < 8; ++i) EXPECT_NEAR(radii[i] / radii[i - 1], radii[1] / radii[0], 1e-12);
+  EXPECT_NEAR(radii.back(), 16, 1e-12);
+  for (int i = 2; i < 7; ++i) EXPECT_NEAR(radii[i] / radii[i - 1], radii[1] / radii[0], 1e-12);
 }
 
 TEST(Scales, GeometricRadiiHaveAConstantRatio)

@@ -63,6 +63,7 @@ Parameters published_method()
   Parameters p;
   p.radius_choice = RadiusChoice::feature_adapted;
   p.estimator = Estimator::yang06;
+  p.scales = 8;
   return p;
 }
 

@@ -56,10 +56,10 @@ struct Parameters {
   double noise = 0;                                ///< standard deviation of the surface's noise, L; 0: estimated
   EngineKind engine = EngineKind::surface_integral;
 
-  int scales = 8;                                  ///< number of radii n, 1 to 32
+  int scales = 7;                                  ///< number of radii n, 1 to 32
   ScaleSpacing spacing = ScaleSpacing::linear;     ///< statistical: always geometric
   double r_min = 0;                                ///< smallest radius; 0: the average edge length ē (statistical: 1.5 ē)
-  double r_max = 0;                                ///< largest radius; 0: scales · ē, or scales · r_min if larger (statistical: 24 ē)
+  double r_max = 0;                                ///< largest radius; 0: scales · ē, or scales · r_min if larger (statistical: 16 ē)
   double radius = 0;                               ///< the fixed radius; 0: the middle of r_min and r_max
 
   double alpha = 0.9;                              ///< wanted radius · max|κ| [Lai09 eq. 7], in (0, 10]

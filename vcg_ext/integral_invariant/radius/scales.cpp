@@ -20,8 +20,8 @@ struct Range {
 Range radius_range(const Parameters& p, double unit)
 {
   if (p.radius_choice == RadiusChoice::statistical) {
-    // Smaller balls see single triangles; larger ones pay on flat parts, and the largest costs as much as all others.
-    constexpr double smallest = 1.5, largest = 24;
+    // Smaller balls see single triangles; larger ones pay on flat parts alone, and their cost grows with the radius.
+    constexpr double smallest = 1.5, largest = 16;
     const double low = p.r_min > 0 ? p.r_min / unit : smallest;
     return {low, p.r_max > 0 ? p.r_max / unit : std::max(largest, 2 * low)};
   }
