@@ -81,6 +81,18 @@ double smoothness(const CurvatureTensor& tensor, double radius)
   return tensor.confidence < least_confidence || kr > largest_kr ? 0 : 1 / (1 + std::pow(kr / usual_kr, 6));
 }
 
+/// Largest offset that is taken for noise: six robust standard deviations over the whole mesh. Beyond are creases and thin
+/// parts, whose offsets are shape.
+double largest_noise(std::vector<double> offsets)
+{
+  constexpr double deviations = 6, normal_mad = 1.4826, least = 0.005;
+  if (offsets.empty()) return least;
+  for (double& offset : offsets) offset = std::abs(offset);
+  const auto middle = offsets.begin() + std::ptrdiff_t(offsets.size() / 2);
+  std::nth_element(offsets.begin(), middle, offsets.end());
+  return std::max(least, deviations * normal_mad * *middle);
+}
+
 }  // namespace
 
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
@@ -99,6 +111,7 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   noise.flatness.resize(n);
   std::vector<double> uneven(n);  // how much triangles differ in how far they lie inside
   std::vector<std::array<double, 4>> local(n);
+  std::vector<double> found;
   for (std::size_t v = 0; v < n; ++v) {
     const double counts = surface.is_referenced(v) ? smoothness(tensors.at_scale(v, calm), tensors.radii()[calm]) : 0;
     const CurvatureTensor small = tensors.at_scale(v, s.first + 1);
@@ -110,8 +123,11 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
     const double offset = s.first_weight * offsets[v * scales + s.first] +
                           s.second_weight * offsets[v * scales + s.first + 1] + mean * edges.mean / 8;
     noise.offset[v] = counts > 0 ? offset : 0;
-    local[v] = {counts, counts * offset * offset, counts * area[v], counts * area[v] * area[v]};
+    if (counts > 0) found.push_back(offset);
+    local[v] = {counts, counts, counts * area[v], counts * area[v] * area[v]};
   }
+  const double largest = largest_noise(std::move(found));
+  for (std::size_t v = 0; v < n; ++v) local[v][1] *= std::pow(std::min(std::abs(noise.offset[v]), largest), 2);
   const auto pooled = GridPool(surface.positions(), pool_cell).sums(local);
 
   // Vertices without a smooth neighbourhood get the average of the others.

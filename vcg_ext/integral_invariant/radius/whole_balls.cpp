@@ -53,6 +53,17 @@ void fill_scale(const Surface& surface, int scale, TensorField& tensors, WholeBa
   }
 }
 
+/// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet.
+void bound_curvature(std::size_t v, TensorField& tensors)
+{
+  constexpr double largest_kr = 2;
+  for (int i = 0; i < int(tensors.radii().size()); ++i) {
+    const CurvatureTensor t = tensors.at_scale(v, i);
+    const double kr = largest_absolute_curvature(t) * tensors.radii()[std::size_t(i)];
+    if (kr > largest_kr) tensors.set(v, i, {t.k * (largest_kr / kr), t.normal, t.confidence});
+  }
+}
+
 int largest_scale(std::size_t v, const TensorField& tensors, const WholeBalls& balls)
 {
   constexpr double largest_kr = 1.3, least_cosine = 0.7, unchecked_radius = 2.5;
@@ -80,13 +91,16 @@ WholeBalls find_whole_balls(const Surface& surface, TensorField& tensors, Execut
   WholeBalls balls;
   balls.origin.assign(n * scales, Origin::none);
   balls.largest.resize(n);
+  parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t v = begin; v < end; ++v) bound_curvature(v, tensors);
+  }, 0.1, 0.15);
   for (std::size_t v = 0; v < n; ++v)
     for (std::size_t i = 0; i < scales; ++i)
       if (tensors.at_scale(v, int(i)).confidence >= least_confidence) balls.origin[v * scales + i] = Origin::own;
   for (std::size_t i = 0; i < scales; ++i) fill_scale(surface, int(i), tensors, balls);
   parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, balls);
-  }, 0, 0.1);
+  }, 0.15, 0.2);
   return balls;
 }
 
