@@ -53,7 +53,7 @@ TEST(FilterScript, DocumentationHasARowForEveryParameter)
   const std::string text = parameter_documentation();
   EXPECT_EQ(std::size_t(std::count(text.begin(), text.end(), '\n')), parameter_table().size() + 2);
   EXPECT_TRUE(contains(text, "| `r_min` | 0 (automatic) |"));
-  EXPECT_TRUE(contains(parameter_defaults(), "scales=8\n"));
+  EXPECT_TRUE(contains(parameter_defaults(), "scales=7\n"));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(Scales, OneScaleAndFixedRadius)
   Parameters p = published_method();
   p.scales = 1;
   EXPECT_EQ(scale_radii(p, edge), std::vector<double>{1});
-  p = {};
+  p = published_method();
   p.radius_choice = RadiusChoice::fixed;
   EXPECT_EQ(scale_radii(p, edge), std::vector<double>{4.5});
   p.radius = 3 * edge;
