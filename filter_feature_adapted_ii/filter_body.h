@@ -3,7 +3,7 @@
 // and exported before the mesh is touched, so whatever fails leaves it as it was.
 #pragma once
 
-#include <utility>
+#include <string>
 
 #include <vcg/complex/algorithms/update/curvature_integral_invariant.h>
 #include <wrap/callback.h>
@@ -14,22 +14,25 @@
 
 namespace integral_invariant::filter {
 
-/// The host's callback, which may be null, as the core's. It is called from the calling thread only.
-inline ProgressCallback progress_of(vcg::CallBackPos* callback)
+/// The host's callback, which may be null, as the core's; called from the calling thread only. The text carries the
+/// percentage for hosts that show nothing else, and ends with `line_end` for the one that prints it as it is.
+inline ProgressCallback progress_of(vcg::CallBackPos* callback, const char* line_end = "")
 {
   if (!callback) return {};
-  return [callback](int percent, const char* stage) { return callback(percent, stage); };
+  return [callback, line_end](int percent, const char* stage) {
+    return callback(percent, (std::string(stage) + ": " + std::to_string(percent) + "%" + line_end).c_str());
+  };
 }
 
 /// Measures `mesh` and writes the export file, if any. The mesh is only read; deleted elements are skipped.
 /// \throw std::exception with a sentence for the user
 template <class MeshType>
-Outcome measure(const MeshType& mesh, const Request& request, vcg::CallBackPos* callback)
+Outcome measure(const MeshType& mesh, const Request& request, const ProgressCallback& progress)
 {
   const std::string& file = request.output.export_file;
   if (!file.empty()) require_writable(file);
   const TriangleMesh copy = vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>::CopyMesh(mesh);
-  Outcome outcome = make_outcome(compute_curvature(copy, request.method, progress_of(callback)), request.output);
+  Outcome outcome = make_outcome(compute_curvature(copy, request.method, progress), request.output);
   if (!file.empty()) outcome.exported = export_ply(copy, outcome, file);
   return outcome;
 }

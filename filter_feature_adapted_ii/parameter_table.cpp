@@ -148,9 +148,9 @@ std::vector<ParameterSpec> method_rows()
           {"Same sheet only",
            "Surface engine: use only the piece of surface that is connected to the vertex inside the ball, for thin walls."}),
       integer<&P::memory_limit_mb>("memory_limit_mb", "MB", {0, largest_int},
-          {"Memory limit", "The most memory that may be used; 0: half of the machine's."}),
+          {"Memory limit (MB; 0: automatic)", "The most memory that may be used; 0: half of the machine's."}),
       integer<&P::threads>("threads", "", {0, limits::max_threads},
-          {"Threads", "How many processors are used; 0: all. The result is the same with any number."}),
+          {"Threads (0: all)", "How many processors are used; 0: all. The result is the same with any number."}),
   };
 }
 
@@ -168,7 +168,7 @@ std::vector<ParameterSpec> output_rows()
            "Signed quantities: blue for negative, white for zero, red for positive. The others: from dark blue (small) "
            "over green to yellow (large)."}),
       real<&O::color_percentile>("color_percentile", "%", {50, 100},
-          {"Colour range",
+          {"Colour range (% of vertices)",
            "So many per cent of the vertices lie inside the colour range, which is symmetric about zero for signed "
            "quantities; the rest takes the end colours. 100: the whole range."}),
       save_file("export_file",

@@ -16,7 +16,13 @@ FilterFeatureAdaptedIIPlugin::FilterFeatureAdaptedIIPlugin()
 
 QString FilterFeatureAdaptedIIPlugin::pluginName() const { return ii::plugin_name; }
 QString FilterFeatureAdaptedIIPlugin::filterName(FilterIDType) const { return ii::filter_name; }
-QString FilterFeatureAdaptedIIPlugin::filterInfo(FilterIDType) const { return ii::help_text; }
+
+/// 2020.09's dialog neither scrolls nor is lower than its content: a wide text keeps its buttons on the screen.
+QString FilterFeatureAdaptedIIPlugin::filterInfo(FilterIDType) const
+{
+	return QString("<table width=\"940\"><tr><td>%1</td></tr></table>").arg(ii::help_text);
+}
+
 QString FilterFeatureAdaptedIIPlugin::filterScriptFunctionName(FilterIDType) { return ii::python_name; }
 
 MeshFilterInterface::FilterClass FilterFeatureAdaptedIIPlugin::getClass(QAction*)
@@ -41,7 +47,8 @@ bool FilterFeatureAdaptedIIPlugin::applyFilter(
 	try {
 		MeshModel* mesh = document.mm();
 		if (!mesh) throw integral_invariant::InputError("There is no mesh to measure.");
-		const ii::Outcome outcome = ii::measure(mesh->cm, ii::read_request(parameters), callback);
+		// meshlabserver prints the text without ending the line; the window draws the end of a line as a space.
+		const ii::Outcome outcome = ii::measure(mesh->cm, ii::read_request(parameters), ii::progress_of(callback, "\n"));
 		mesh->updateDataMask(ii::written_fields(outcome.colorize));
 		ii::write_outcome(mesh->cm, outcome);
 		for (const std::string& line : ii::summary_lines(outcome)) Log(line);

@@ -66,7 +66,7 @@ std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(
 	try {
 		MeshModel* mesh = document.mm();
 		if (!mesh) throw integral_invariant::InputError("There is no mesh to measure.");
-		const ii::Outcome outcome = ii::measure(mesh->cm, ii::read_request(parameters), callback);
+		const ii::Outcome outcome = ii::measure(mesh->cm, ii::read_request(parameters), ii::progress_of(callback));
 		mesh->updateDataMask(ii::written_fields(outcome.colorize));
 		ii::write_outcome(mesh->cm, outcome);
 		postConditionMask = ii::written_fields(outcome.colorize);

@@ -3,11 +3,13 @@
 #include "integral_invariant/moments/engine.h"
 
 #include "integral_invariant/moments/fft_engine.h"
+#include "integral_invariant/moments/surface_engine.h"
 
 namespace integral_invariant {
 
 std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters)
 {
+  if (parameters.engine == EngineKind::surface_integral) return make_surface_engine(surface, parameters);
   return make_fft_engine(surface, parameters);
 }
 

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "integral_invariant/moments/ball_kernel.h"
+#include "integral_invariant/moments/decimation.h"
 #include "integral_invariant/moments/fftw_plan.h"
 #include "integral_invariant/moments/grid_interpolation.h"
 #include "integral_invariant/moments/scan_conversion.h"
@@ -82,7 +83,7 @@ class WorkspacePool {
 class ScalePass {
  public:
   ScalePass(const Surface& surface, const TileLayout& layout, int scale, const MomentSink& sink)
-      : surface_(surface), layout_(layout), scale_(scale), sink_(sink),
+      : surface_(surface), layout_(layout), fine_grid_{layout.grid.origin, layout.grid.step / 2}, scale_(scale), sink_(sink),
         transform_(layout.shape.size), kernel_(layout.shape.size, layout.radius_cells),
         triangles_(tile_triangles(surface, layout)),
         rows_(std::size_t(layout.shape.size[1])), row_stride_(FftBuffer::row_stride(layout.shape.size))
@@ -108,7 +109,20 @@ class ScalePass {
   }
 
  private:
-  std::size_t plane_size() const { return std::size_t(layout_.shape.size[0]) * std::size_t(layout_.shape.size[1]); }
+  /// The tile's box on the grid of half the step, with the cells around it that decimation reads.
+  CellBox fine_box(std::size_t tile) const
+  {
+    CellBox box = layout_.box(tile);
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.begin[a] = 2 * box.begin[a] - 1;
+      box.size[a] = fine_size(box.size[a]);
+    }
+    return box;
+  }
+  std::size_t plane_size() const
+  {
+    return std::size_t(fine_size(layout_.shape.size[0])) * std::size_t(fine_size(layout_.shape.size[1]));
+  }
 
   void find_carries(Execution& execution, double from, double to)
   {
@@ -119,8 +133,8 @@ class ScalePass {
         const std::size_t first = layout_.stack_start[stack];
         std::vector<std::int64_t> tops;
         for (std::size_t tile = first; tile < layout_.stack_start[stack + 1]; ++tile)
-          tops.push_back(layout_.box(tile).begin[2] + layout_.shape.size[2]);
-        carry_planes(surface_, layout_.grid, layout_.box(first), triangles.row(stack), tops,
+          tops.push_back(fine_box(tile).begin[2] + fine_box(tile).size[2]);
+        carry_planes(surface_, fine_grid_, fine_box(first), triangles.row(stack), tops,
                      carries_.data() + first * plane_size());
       }
     }, from, to);
@@ -130,13 +144,17 @@ class ScalePass {
 
   void scan_slab(std::size_t tile, const std::vector<std::uint32_t>& triangles, std::size_t slab, FftBuffer& buffer) const
   {
-    CellBox box = layout_.box(tile);
     const int offset = int(slab) * slab_width;
-    box.begin[0] += offset;
-    box.size[0] = std::min(slab_width, box.size[0] - offset);
-    const std::size_t rows = std::size_t(offset) * rows_;
-    scan_convert(surface_, layout_.grid, box, triangles, carries_.data() + tile * plane_size() + rows,
-                 buffer.reals() + rows * row_stride_, row_stride_);
+    std::array<int, 3> size = layout_.shape.size;
+    size[0] = std::min(slab_width, size[0] - offset);
+    CellBox box = fine_box(tile);
+    box.begin[0] += 2 * offset;
+    box.size[0] = fine_size(size[0]);
+    std::vector<float> fine(std::size_t(box.size[0]) * std::size_t(box.size[1]) * std::size_t(box.size[2]));
+    scan_convert(surface_, fine_grid_, box, triangles,
+                 carries_.data() + tile * plane_size() + 2 * std::size_t(offset) * std::size_t(box.size[1]), fine.data(),
+                 std::size_t(box.size[2]));
+    decimate(fine, size, buffer.reals() + std::size_t(offset) * rows_ * row_stride_, row_stride_);
   }
 
   /// One of the ten: product, inverse transform, values at the tile's vertices.
@@ -209,6 +227,7 @@ class ScalePass {
 
   const Surface& surface_;
   const TileLayout& layout_;
+  const VoxelGrid fine_grid_;
   const int scale_;
   const MomentSink& sink_;
   const RealTransform transform_;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_script.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "help_text.h"
+
+namespace integral_invariant::filter {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(FilterScript, NamesTheFilterAndEveryParameter)
+{
+  const std::string xml = filter_script({});
+  EXPECT_TRUE(contains(xml, std::string("<filter name=\"") + filter_name + "\">"));
+  for (const ParameterSpec& spec : parameter_table())
+    EXPECT_TRUE(contains(xml, std::string(" name=\"") + spec.name + "\"")) << spec.name;
+}
+
+TEST(FilterScript, HasWhatMeshLabAsksOfEachType)
+{
+  Request request;
+  store_assignment("r_max=2.5", request);
+  store_assignment("colorize=false", request);
+  const std::string xml = filter_script(request);
+  EXPECT_TRUE(contains(xml, "<Param type=\"RichAbsPerc\" name=\"r_max\" value=\"2.5\" min=\"0\" max=\"2.5\"/>"));
+  EXPECT_TRUE(contains(xml, "<Param type=\"RichBool\" name=\"colorize\" value=\"false\"/>"));
+  EXPECT_TRUE(contains(xml, "name=\"radius_choice\" value=\"0\" enum_cardinality=\"2\""));
+  EXPECT_TRUE(contains(xml, "<Param type=\"RichFloat\" name=\"alpha\" value=\"0.9\"/>"));
+  EXPECT_TRUE(contains(xml, "<Param type=\"RichSaveFile\" name=\"export_file\" value=\"\" ext=\"*.ply\"/>"));
+}
+
+TEST(FilterScript, EscapesFileNames)
+{
+  Request request;
+  store_assignment("export_file=a&b<\"c\">=.ply", request);
+  EXPECT_TRUE(contains(filter_script(request), "value=\"a&amp;b&lt;&quot;c&quot;&gt;=.ply\""));
+}
+
+TEST(FilterScript, RefusesWhatItDoesNotKnow)
+{
+  Request request;
+  EXPECT_THROW(store_assignment("no_such=1", request), ParameterError);
+  EXPECT_THROW(store_assignment("alpha", request), ParameterError);
+  EXPECT_THROW(store_assignment("alpha=100", request), ParameterError);
+}
+
+TEST(FilterScript, DocumentationHasARowForEveryParameter)
+{
+  const std::string text = parameter_documentation();
+  EXPECT_EQ(std::size_t(std::count(text.begin(), text.end(), '\n')), parameter_table().size() + 2);
+  EXPECT_TRUE(contains(text, "| `r_min` | 0 (automatic) |"));
+  EXPECT_TRUE(contains(parameter_defaults(), "scales=8\n"));
+}
+
+}  // namespace
+}  // namespace integral_invariant::filter

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "outcome.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace integral_invariant::filter {
+namespace {
+
+Result two_vertices()
+{
+  Result result;
+  result.kappa_max = {2, 4};
+  result.kappa_min = {0, -4};
+  result.radius = {0.5, 1.5};
+  result.confidence = {1, 0.25F};
+  result.surface.vertices = 2;
+  result.surface.boundary_edges = 3;
+  result.scales = {0.5, 1.5};
+  result.average_edge = 0.5;
+  result.diagonal = 10;
+  result.converged = 2;
+  result.engine = "test";
+  result.stages = {{"first", 1.5}, {"second", 0.5}};
+  return result;
+}
+
+std::string joined(const std::vector<std::string>& lines)
+{
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+TEST(Outcome, HoldsTheChosenQuantity)
+{
+  OutputOptions options;
+  options.quality = Quantity::maximal;
+  const Outcome outcome = make_outcome(two_vertices(), options);
+  EXPECT_EQ(outcome.quality, (std::vector<double>{2, 4}));
+  EXPECT_DOUBLE_EQ(outcome.quality_statistics.maximum, 4);
+}
+
+TEST(Outcome, LinesTellScalesInAllUnitsAndDefects)
+{
+  const std::string text = joined(summary_lines(make_outcome(two_vertices(), {})));
+  for (const char* part : {"2 vertices", "radii 0.5 1.5", "edge lengths: 1 3", "% of the diagonal: 5 15", "3 boundary edges",
+                           "1 vertices with little", "Time: 2.00 s", "mean curvature in 1/L"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+}
+
+TEST(Outcome, ASoundMeshHasNoNote)
+{
+  Result result = two_vertices();
+  result.surface.boundary_edges = 0;
+  result.confidence = {1, 1};
+  EXPECT_EQ(joined(summary_lines(make_outcome(result, {}))).find("Note:"), std::string::npos);
+}
+
+TEST(Outcome, ValuesHaveStatisticsOfEveryQuantity)
+{
+  const auto list = summary_values(make_outcome(two_vertices(), {}));
+  const std::map<std::string, SummaryValue> values(list.begin(), list.end());
+  EXPECT_EQ(values.size(), list.size()) << "a name is there twice";
+  EXPECT_EQ(std::get<int>(values.at("vertices")), 2);
+  EXPECT_EQ(std::get<int>(values.at("low_confidence")), 1);
+  EXPECT_DOUBLE_EQ(std::get<double>(values.at("median_radius")), 1);
+  EXPECT_DOUBLE_EQ(std::get<double>(values.at("seconds")), 2);
+  EXPECT_DOUBLE_EQ(std::get<double>(values.at("gaussian_min")), -16);
+  EXPECT_DOUBLE_EQ(std::get<double>(values.at("largest_absolute_max")), 4);
+}
+
+}  // namespace
+}  // namespace integral_invariant::filter

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface engine: what a block of nearby vertices needs of the mesh, gathered once for all of them.
+#include "integral_invariant/moments/neighbourhood.h"
+
+#include <algorithm>
+
+namespace integral_invariant {
+
+namespace {
+
+Sphere triangle_sphere(const SpatialOrder& order, std::size_t index)
+{
+  std::array<Sphere, 3> corners;
+  for (int i = 0; i < 3; ++i) corners[i].centre = order.points[std::size_t(order.triangles[index][i])];
+  return bounding_sphere(corners.data(), 3);
+}
+
+Sphere edge_sphere(const SpatialOrder& order, std::size_t index)
+{
+  const FreeEdge& edge = order.free_edges[index];
+  const Vec3 &a = order.points[edge.from], &b = order.points[edge.to];
+  return {(a + b) * 0.5, norm(b - a) * 0.5};
+}
+
+constexpr double rounding = 1e-9;  // of positions in normalised coordinates, with room: what touches a sphere is "cut"
+
+}  // namespace
+
+SurfaceTree::SurfaceTree(const Surface& surface)
+    : order_(order_in_space(surface)),
+      triangles_(order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }),
+      free_edges_(order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }),
+      is_border_(order_.points.size(), false)
+{
+  for (const FreeEdge& edge : order_.free_edges) is_border_[edge.from] = is_border_[edge.to] = true;
+  sum_moments();
+}
+
+void SurfaceTree::sum_moments()
+{
+  const auto& levels = triangles_.levels();
+  moments_.resize(levels.size());
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    moments_[level].resize(levels[level].size());
+    for (std::size_t node = 0; node < levels[level].size(); ++node) {
+      const Vec3& centre = levels[level][node].centre;
+      FluxMoments& sum = moments_[level][node];
+      if (level == 0) {
+        for (std::size_t i = triangles_.item_begin(node); i < triangles_.item_end(node); ++i) {
+          const Triangle& t = order_.triangles[i];
+          sum += triangle_flux_moments(order_.points[std::size_t(t[0])] - centre, order_.points[std::size_t(t[1])] - centre,
+                                       order_.points[std::size_t(t[2])] - centre);
+        }
+        continue;
+      }
+      const std::size_t first = node * SphereTree::fan_out;
+      for (std::size_t child = first; child < std::min(first + SphereTree::fan_out, levels[level - 1].size()); ++child)
+        sum += translated(moments_[level - 1][child], levels[level - 1][child].centre - centre);
+    }
+  }
+}
+
+NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii,
+                                             double small_edge, bool sum_far)
+    : tree_(tree), radii_(radii), small_edge_(small_edge), sum_far_(sum_far), table_(4096, 0)
+{
+}
+
+const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_t end)
+{
+  std::vector<Sphere> points;
+  for (std::size_t i = begin; i < end; ++i) points.push_back({tree_.order().points[i], 0});
+  block_ = bounding_sphere(points.data(), points.size());
+  forget_points();
+  local_.centre = block_.centre;
+  local_.triangles.clear();
+  local_.free_edges.clear();
+  local_.far.assign(radii_.size(), {});
+  local_.has_far.assign(radii_.size(), 0);
+  for (std::size_t i = begin; i < end; ++i) local(std::uint32_t(i));
+  gather_triangles();
+  gather_free_edges();
+  return local_;
+}
+
+int NeighbourhoodGatherer::common_scale(const Sphere& sphere) const
+{
+  const double distance = norm(sphere.centre - block_.centre), reach = sphere.radius + block_.radius + rounding;
+  const auto inside_from = std::lower_bound(radii_.begin(), radii_.end(), distance + reach);
+  const auto touched_from = std::lower_bound(radii_.begin(), radii_.end(), distance - reach);
+  return inside_from == touched_from ? int(inside_from - radii_.begin()) : -1;
+}
+
+void NeighbourhoodGatherer::gather_triangles()
+{
+  const std::vector<Triangle>& triangles = tree_.order().triangles;
+  tree_.triangles().visit(
+      [&](std::size_t level, std::size_t index, const Sphere& sphere) {
+        const int scale = common_scale(sphere);
+        if (scale == int(radii_.size())) return false;
+        if (scale < 0 || !sum_far_) return true;
+        local_.far[std::size_t(scale)] += translated(tree_.moments(level, index), sphere.centre - block_.centre);
+        local_.has_far[std::size_t(scale)] = 1;
+        return false;
+      },
+      [&](std::size_t leaf) {
+        for (std::size_t i = tree_.triangles().item_begin(leaf); i < tree_.triangles().item_end(leaf); ++i)
+          add_triangle(triangles[i]);
+      });
+}
+
+void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
+{
+  const std::vector<Vec3>& points = tree_.order().points;
+  std::array<Vec3, 3> v;
+  for (int i = 0; i < 3; ++i) v[i] = points[std::size_t(triangle[i])] - block_.centre;
+  const double longest2 = std::max({squared_norm(v[1] - v[0]), squared_norm(v[2] - v[1]), squared_norm(v[0] - v[2])});
+  LocalTriangle t;
+  t.centroid = (v[0] + v[1] + v[2]) * (1.0 / 3);
+  if (norm(t.centroid) > radii_.back() + block_.radius + std::sqrt(longest2)) return;
+  for (int i = 0; i < 3; ++i) t.corner[i] = local(std::uint32_t(triangle[i]));
+  t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
+  t.spread = outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid);
+  t.first_small_scale = 0;
+  while (t.first_small_scale < radii_.size() &&
+         longest2 > small_edge_ * small_edge_ * radii_[t.first_small_scale] * radii_[t.first_small_scale])
+    ++t.first_small_scale;
+  local_.triangles.push_back(t);
+}
+
+void NeighbourhoodGatherer::gather_free_edges()
+{
+  const std::vector<FreeEdge>& edges = tree_.order().free_edges;
+  const auto is_near = [&](const Sphere& sphere) {
+    return norm(sphere.centre - block_.centre) <= radii_.back() + block_.radius + sphere.radius;
+  };
+  tree_.free_edges().visit([&](std::size_t, std::size_t, const Sphere& sphere) { return is_near(sphere); },
+                           [&](std::size_t leaf) {
+                             const SphereTree& tree = tree_.free_edges();
+                             for (std::size_t i = tree.item_begin(leaf); i < tree.item_end(leaf); ++i)
+                               if (is_near(edge_sphere(tree_.order(), i)))
+                                 local_.free_edges.push_back({local(edges[i].from), local(edges[i].to),
+                                                              local(edges[i].opposite), edges[i].surplus});
+                           });
+}
+
+std::uint32_t NeighbourhoodGatherer::local(std::uint32_t point)
+{
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = point & mask;  // ids along the curve are dense: consecutive ones do not collide
+  while (table_[slot] != 0) {
+    if (local_.point_ids[table_[slot] - 1] == point) return table_[slot] - 1;
+    slot = (slot + 1) & mask;
+  }
+  const Vec3 position = tree_.order().points[point] - block_.centre;
+  local_.point_ids.push_back(point);
+  local_.x.push_back(position.x);
+  local_.y.push_back(position.y);
+  local_.z.push_back(position.z);
+  table_[slot] = std::uint32_t(local_.point_ids.size());
+  if (2 * local_.point_ids.size() > table_.size()) grow_table();
+  return std::uint32_t(local_.point_ids.size() - 1);
+}
+
+void NeighbourhoodGatherer::forget_points()
+{
+  std::fill(table_.begin(), table_.end(), 0);
+  local_.point_ids.clear();
+  local_.x.clear();
+  local_.y.clear();
+  local_.z.clear();
+}
+
+void NeighbourhoodGatherer::grow_table()
+{
+  table_.assign(2 * table_.size(), 0);
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t i = 0; i < local_.point_ids.size(); ++i) {
+    std::size_t slot = local_.point_ids[i] & mask;
+    while (table_[slot] != 0) slot = (slot + 1) & mask;
+    table_[slot] = std::uint32_t(i + 1);
+  }
+}
+
+}  // namespace integral_invariant

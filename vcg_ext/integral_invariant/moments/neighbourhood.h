@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface engine: what a block of nearby vertices needs of the mesh, gathered once for all of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "integral_invariant/moments/flux_moments.h"
+#include "integral_invariant/moments/spatial_order.h"
+#include "integral_invariant/moments/sphere_tree.h"
+
+namespace integral_invariant {
+
+/// The mesh in spatial order with hierarchies over its triangles and free edges, and the moments of every node.
+class SurfaceTree {
+ public:
+  explicit SurfaceTree(const Surface& surface);
+
+  const SpatialOrder& order() const { return order_; }
+  const SphereTree& triangles() const { return triangles_; }
+  const SphereTree& free_edges() const { return free_edges_; }
+  /// Of the triangles below a node, about the centre of its sphere.
+  const FluxMoments& moments(std::size_t level, std::size_t index) const { return moments_[level][index]; }
+  /// Whether a free edge ends at the point.
+  bool is_border(std::uint32_t point) const { return is_border_[point]; }
+
+ private:
+  void sum_moments();
+
+  SpatialOrder order_;
+  SphereTree triangles_, free_edges_;
+  std::vector<std::vector<FluxMoments>> moments_;
+  std::vector<bool> is_border_;
+};
+
+/// A triangle of a neighbourhood, by local points, with what its cone moments about any apex are made of.
+struct LocalTriangle {
+  std::array<std::uint32_t, 3> corner;
+  std::uint32_t first_small_scale;  ///< the triangle is small against the radii from this scale on
+  Vec3 centroid, doubled_area;      ///< doubled_area = (b − a) × (c − a)
+  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ over the corners
+};
+
+struct LocalFreeEdge {
+  std::uint32_t from, to, opposite;
+  std::int32_t surplus;
+};
+
+/// Triangles and free edges that a ball about any point of the block can cut, in coordinates relative to `centre`; the
+/// triangles that lie between the same two radii for all of the block's points are summed in `far`.
+struct Neighbourhood {
+  Vec3 centre;
+  std::vector<std::uint32_t> point_ids;     ///< local → SpatialOrder::points
+  std::vector<double> x, y, z;              ///< per local point
+  std::vector<LocalTriangle> triangles;
+  std::vector<LocalFreeEdge> free_edges;
+  std::vector<FluxMoments> far;             ///< per scale from which on they are inside; about `centre`
+  std::vector<char> has_far;
+
+  Vec3 point(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+/// Gathers neighbourhoods one after the other into the same memory.
+class NeighbourhoodGatherer {
+ public:
+  /// A triangle is small from the scale on at which its longest edge is at most `small_edge` radii; 0: never.
+  NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii, double small_edge, bool sum_far);
+
+  /// For the points [begin, end) of the spatial order. The reference holds until the next call.
+  const Neighbourhood& gather(std::size_t begin, std::size_t end);
+  /// Local index of a point of the last gathered neighbourhood.
+  std::uint32_t local(std::uint32_t point);
+
+ private:
+  /// Scale from which on all balls about the block hold the sphere, or −1 where some ball can cut it.
+  int common_scale(const Sphere& sphere) const;
+  void add_triangle(const Triangle& triangle);
+  void gather_triangles();
+  void gather_free_edges();
+  void forget_points();
+  void grow_table();
+
+  const SurfaceTree& tree_;
+  const std::vector<double>& radii_;
+  const double small_edge_;
+  const bool sum_far_;
+  Sphere block_;
+  Neighbourhood local_;
+  std::vector<std::uint32_t> table_;  ///< open addressing: local index + 1, 0 where free
+};
+
+}  // namespace integral_invariant

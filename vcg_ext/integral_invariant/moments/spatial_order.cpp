@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface engine: the mesh in an order in which neighbours in space are neighbours in memory.
+#include "integral_invariant/moments/spatial_order.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace integral_invariant {
+
+namespace {
+
+constexpr int curve_bits = 20;  // per axis: 2^-20 of the box is far below an edge of any mesh that fits in memory
+
+/// Index along the Hilbert curve of the cell (x, y, z): Gray code of the bits, with the axes exchanged and reflected on
+/// the way down so that each octant's curve starts where the one before it ended.
+std::uint64_t hilbert_index(std::array<std::uint32_t, 3> cell)
+{
+  for (std::uint32_t bit = 1u << (curve_bits - 1); bit > 1; bit >>= 1) {
+    for (std::uint32_t& axis : cell) {
+      if (axis & bit) {
+        cell[0] ^= bit - 1;
+      } else {
+        const std::uint32_t exchanged = (cell[0] ^ axis) & (bit - 1);
+        cell[0] ^= exchanged;
+        axis ^= exchanged;
+      }
+    }
+  }
+  cell[1] ^= cell[0];
+  cell[2] ^= cell[1];
+  std::uint32_t reflected = 0;
+  for (std::uint32_t bit = 1u << (curve_bits - 1); bit > 1; bit >>= 1)
+    if (cell[2] & bit) reflected ^= bit - 1;
+  std::uint64_t index = 0;
+  for (int b = curve_bits - 1; b >= 0; --b)
+    for (const std::uint32_t axis : cell) index = index << 1 | ((axis ^ reflected) >> b & 1);
+  return index;
+}
+
+struct Key {
+  std::uint64_t index;
+  std::uint32_t vertex;
+};
+
+std::vector<Key> sorted_keys(const Surface& surface)
+{
+  const std::vector<Vec3>& positions = surface.positions();
+  // The box is centred at 0 and no longer than its diagonal; cells are cubes.
+  const double cells = double(1u << curve_bits), half = std::max(0.5 * surface.diagonal(), 1e-300);
+  const auto cell = [&](double x) {
+    return std::uint32_t(std::clamp((x + half) / (2 * half) * cells, 0.0, cells - 1));
+  };
+  std::vector<Key> keys;
+  keys.reserve(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    if (surface.is_referenced(v))
+      keys.push_back({hilbert_index({cell(positions[v].x), cell(positions[v].y), cell(positions[v].z)}),
+                      std::uint32_t(v)});
+  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    if (a.index != b.index) return a.index < b.index;
+    const Vec3 &p = positions[a.vertex], &q = positions[b.vertex];
+    if (p.x != q.x) return p.x < q.x;
+    if (p.y != q.y) return p.y < q.y;
+    if (p.z != q.z) return p.z < q.z;
+    return a.vertex < b.vertex;
+  });
+  return keys;
+}
+
+/// Fills points and vertices; returns the point of every vertex.
+std::vector<std::uint32_t> merge_places(const Surface& surface, SpatialOrder& order)
+{
+  std::vector<std::uint32_t> point_of(surface.vertex_count(), 0);
+  for (const Key& key : sorted_keys(surface)) {
+    const Vec3& position = surface.positions()[key.vertex];
+    if (order.points.empty() || !(order.points.back() == position)) {
+      order.points.push_back(position);
+      order.vertex_start.push_back(std::uint32_t(order.vertices.size()));
+    }
+    order.vertices.push_back(key.vertex);
+    point_of[key.vertex] = std::uint32_t(order.points.size() - 1);
+  }
+  order.vertex_start.push_back(std::uint32_t(order.vertices.size()));
+  return point_of;
+}
+
+Triangle smallest_first(Triangle t)
+{
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+/// Counting sort by the first point.
+void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& point_of, SpatialOrder& order)
+{
+  const auto moved = [&](const Triangle& t) {
+    return smallest_first({std::int32_t(point_of[std::size_t(t[0])]), std::int32_t(point_of[std::size_t(t[1])]),
+                           std::int32_t(point_of[std::size_t(t[2])])});
+  };
+  const auto is_kept = [](const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; };
+  std::vector<std::uint32_t> start(order.points.size() + 1, 0);
+  for (const Triangle& triangle : surface.triangles()) {
+    const Triangle t = moved(triangle);
+    if (is_kept(t)) ++start[std::size_t(t[0]) + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  order.triangles.resize(start.back());
+  for (const Triangle& triangle : surface.triangles()) {
+    const Triangle t = moved(triangle);
+    if (is_kept(t)) order.triangles[start[std::size_t(t[0])]++] = t;
+  }
+}
+
+void find_normals(SpatialOrder& order)
+{
+  order.normals.assign(order.points.size(), {});
+  for (const Triangle& t : order.triangles) {
+    const Vec3 &a = order.points[std::size_t(t[0])], &b = order.points[std::size_t(t[1])],
+               &c = order.points[std::size_t(t[2])];
+    const Vec3 area = cross(b - a, c - a);
+    for (const std::int32_t i : t) order.normals[std::size_t(i)] += area;
+  }
+  for (Vec3& normal : order.normals) normal = normalized(normal);
+}
+
+struct DirectedEdge {
+  std::uint32_t low, high, opposite;
+  bool up;  ///< passed from low to high
+};
+
+void add_free_edge(const DirectedEdge* begin, const DirectedEdge* end, std::vector<FreeEdge>& free_edges)
+{
+  std::int32_t surplus = 0;
+  for (const DirectedEdge* e = begin; e != end; ++e) surplus += e->up ? 1 : -1;
+  if (surplus == 0) return;
+  const DirectedEdge* e = std::find_if(begin, end, [&](const DirectedEdge& d) { return d.up == (surplus > 0); });
+  if (surplus > 0)
+    free_edges.push_back({e->low, e->high, surplus, e->opposite});
+  else
+    free_edges.push_back({e->high, e->low, -surplus, e->opposite});
+}
+
+/// Edges are bucketed by their smaller point: those buckets are short and stay in the cache.
+void find_free_edges(SpatialOrder& order)
+{
+  std::vector<std::uint32_t> start(order.points.size() + 1, 0);
+  for (const Triangle& t : order.triangles)
+    for (int i = 0; i < 3; ++i) ++start[std::size_t(std::min(t[i], t[(i + 1) % 3])) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<DirectedEdge> edges(start.back());
+  for (const Triangle& t : order.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = std::uint32_t(t[i]), b = std::uint32_t(t[(i + 1) % 3]), c = std::uint32_t(t[(i + 2) % 3]);
+      edges[start[std::min(a, b)]++] = {std::min(a, b), std::max(a, b), c, a < b};
+    }
+  const auto less = [](const DirectedEdge& a, const DirectedEdge& b) {
+    return std::make_pair(a.high, a.opposite) < std::make_pair(b.high, b.opposite);
+  };
+  for (std::size_t begin = 0; begin < edges.size();) {
+    std::size_t end = begin;
+    while (end < edges.size() && edges[end].low == edges[begin].low) ++end;
+    std::sort(edges.begin() + std::ptrdiff_t(begin), edges.begin() + std::ptrdiff_t(end), less);
+    for (std::size_t i = begin, j = begin; i < end; i = j) {
+      while (j < end && edges[j].high == edges[i].high) ++j;
+      add_free_edge(edges.data() + i, edges.data() + j, order.free_edges);
+    }
+    begin = end;
+  }
+}
+
+}  // namespace
+
+SpatialOrder order_in_space(const Surface& surface)
+{
+  SpatialOrder order;
+  order_triangles(surface, merge_places(surface, order), order);
+  find_normals(order);
+  find_free_edges(order);
+  return order;
+}
+
+}  // namespace integral_invariant

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 1: ball moments as exact sums over the triangles of the surface.
+#include "integral_invariant/moments/surface_engine.h"
+
+#include <algorithm>
+
+#include "integral_invariant/moments/ball_evaluator.h"
+#include "integral_invariant/moments/neighbourhood.h"
+
+namespace integral_invariant {
+
+namespace {
+
+/// Longest edge, in radii, up to which a triangle's circular segments are left out.
+double small_edge(Exactness exactness)
+{
+  switch (exactness) {
+    case Exactness::exact: return 0;
+    case Exactness::balanced: return 0.75;
+    case Exactness::fast: return 1.5;
+  }
+  return 0;
+}
+
+class SurfaceEngine : public MomentEngine {
+ public:
+  SurfaceEngine(const Surface& surface, const Parameters& parameters) : parameters_(parameters), tree_(surface)
+  {
+    split_into_blocks();
+  }
+
+  void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
+  {
+    struct Worker {
+      NeighbourhoodGatherer gatherer;
+      BallEvaluator evaluator;
+    };
+    std::vector<std::unique_ptr<Worker>> workers(std::size_t(execution.threads()));
+    parallel_for(blocks_.size() - 1, 4, execution, [&](std::size_t begin, std::size_t end, int worker) {
+      std::unique_ptr<Worker>& w = workers[std::size_t(worker)];
+      if (!w)
+        w.reset(new Worker{{tree_, radii, small_edge(parameters_.exactness), !parameters_.same_sheet},
+                           BallEvaluator(radii)});
+      for (std::size_t block = begin; block < end; ++block)
+        evaluate_block(blocks_[block], blocks_[block + 1], w->gatherer, w->evaluator, sink);
+    });
+  }
+
+  std::string description(const std::vector<double>&, const Execution&) const override
+  {
+    return "surface integral over " + std::to_string(tree_.order().triangles.size()) + " triangles";
+  }
+
+ private:
+  /// Runs of points along the curve that stay together: what one ball of the block touches, the others touch too.
+  void split_into_blocks()
+  {
+    constexpr std::size_t largest_block = 32;
+    constexpr double largest_extent = 5;  // edges
+    const std::vector<Vec3>& points = tree_.order().points;
+    Vec3 low, high;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3& p = points[i];
+      const Vec3 l{std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      const Vec3 h{std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      if (i == 0 || i - blocks_.back() == largest_block || squared_norm(h - l) > largest_extent * largest_extent) {
+        blocks_.push_back(i);
+        low = high = p;
+      } else {
+        low = l;
+        high = h;
+      }
+    }
+    blocks_.push_back(points.size());
+  }
+
+  void evaluate_block(std::size_t begin, std::size_t end, NeighbourhoodGatherer& gatherer, BallEvaluator& evaluator,
+                      const MomentSink& sink) const
+  {
+    const SpatialOrder& order = tree_.order();
+    const Neighbourhood& near = gatherer.gather(begin, end);
+    for (std::size_t point = begin; point < end; ++point) {
+      const auto& moments = evaluator.evaluate(near, gatherer.local(std::uint32_t(point)), order.normals[point],
+                                               tree_.is_border(std::uint32_t(point)));
+      for (std::uint32_t i = order.vertex_start[point]; i < order.vertex_start[point + 1]; ++i)
+        for (std::size_t k = 0; k < moments.size(); ++k) sink(order.vertices[i], int(k), moments[k]);
+    }
+  }
+
+  const Parameters parameters_;
+  const SurfaceTree tree_;
+  std::vector<std::size_t> blocks_;
+};
+
+}  // namespace
+
+std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters)
+{
+  return std::make_unique<SurfaceEngine>(surface, parameters);
+}
+
+}  // namespace integral_invariant
