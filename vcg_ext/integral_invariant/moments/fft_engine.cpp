@@ -289,7 +289,11 @@ std::unique_ptr<MomentEngine> make_fft_engine(const Surface& surface, const Para
     std::ostringstream text;
     text << "The voxel engine needs a closed surface, but this one has " << surface.report().boundary_edges
          << " boundary edges and " << surface.report().inconsistent_edges
-         << " edges whose faces are not oriented alike. Apply \"Close Holes\" and \"Re-Orient all faces coherently\" "
+         << " edges whose faces are not oriented alike. ";
+    if (surface.report().nonfinite_vertices > 0)
+      text << "The faces of " << surface.report().nonfinite_vertices
+           << " vertices with coordinates that are not finite were left out. ";
+    text << "Apply \"Close Holes\" and \"Re-Orient all faces coherently\" "
             "first, or choose the surface integral engine, which needs no closed mesh.";
     throw InputError(text.str());
   }

@@ -34,12 +34,17 @@ class SurfaceTree {
   std::vector<bool> is_border_;
 };
 
-/// A triangle of a neighbourhood, by local points, with what its cone moments about any apex are made of.
-struct LocalTriangle {
+/// Corners of a triangle of a neighbourhood, by local points.
+struct LocalCorners {
   std::array<std::uint32_t, 3> corner;
   std::uint32_t first_small_scale;  ///< the triangle is small against the radii from this scale on
+};
+
+/// What the triangle's cone moments about any apex are made of.
+struct LocalTriangle {
   Vec3 centroid, doubled_area;      ///< doubled_area = (b − a) × (c − a)
   Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ over the corners
+  double longest_edge;
 };
 
 struct LocalFreeEdge {
@@ -52,13 +57,15 @@ struct LocalFreeEdge {
 struct Neighbourhood {
   Vec3 centre;
   std::vector<std::uint32_t> point_ids;     ///< local → SpatialOrder::points
-  std::vector<double> x, y, z;              ///< per local point
+  std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
+  std::vector<LocalCorners> corners;        ///< per triangle
   std::vector<LocalTriangle> triangles;
   std::vector<LocalFreeEdge> free_edges;
   std::vector<FluxMoments> far;             ///< per scale from which on they are inside; about `centre`
   std::vector<char> has_far;
 
   Vec3 point(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
+  void pad_points();
 };
 
 /// Gathers neighbourhoods one after the other into the same memory.

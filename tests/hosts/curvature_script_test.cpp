@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// scripts/curvature from end to end, as the README shows it.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "hosts/host.h"
+#include "support/shapes.h"
+
+namespace test_support {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CurvatureScript : public testing::Test {
+ protected:
+  void SetUp() override
+  {
+    const Host host = find_host("2020.09");
+    if (!host.unavailable.empty()) GTEST_SKIP() << host.unavailable;
+  }
+
+  ProgramResult curvature(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.begin(), {"timeout", "280", source_folder() + "/scripts/curvature"});
+    return run_program(arguments, folder_.path());
+  }
+
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& sentence) const
+  {
+    const ProgramResult run = curvature(arguments);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.output.find(sentence), std::string::npos) << "expected: " << sentence << "\noutput:\n" << run.output;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.path()))
+      EXPECT_EQ(entry.path().string().find("_curvature"), std::string::npos) << entry.path();
+  }
+
+  const TemporaryFolder folder_;
+};
+
+/// Width and height, from the first bytes of a PNG file.
+std::pair<unsigned, unsigned> png_size(const std::string& path)
+{
+  const std::string bytes = read_text(path);
+  if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return {0, 0};
+  const auto number = [&](std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST_F(CurvatureScript, LeavesExportPictureAndSummary)
+{
+  const TriangleMesh mesh = torus(1, 0.4, 60, 30);
+  write_ply(folder_ / "a mesh's name.ply", mesh);
+  const ProgramResult run = curvature({"a mesh's name.ply", "quality=1", "scales=4"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  expect_equal_to_core(read_ply(folder_ / "a mesh's name_curvature.ply"), mesh, {"scales=4"});
+  EXPECT_EQ(png_size(folder_ / "a mesh's name_curvature.png"), std::make_pair(1600u, 1200u));
+  for (const char* word : {"1800 vertices", "Gaussian curvature", "Time: "})
+    EXPECT_NE(run.output.find(word), std::string::npos) << word << "\n" << run.output;
+}
+
+TEST_F(CurvatureScript, ReadsOtherFormatsAndWritesWhereItIsTold)
+{
+  const TriangleMesh mesh = torus(1, 0.4, 30, 16);
+  std::string off = "OFF\n" + std::to_string(mesh.positions.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
+  for (const Vec3& p : mesh.positions) off += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+  for (const Triangle& t : mesh.triangles)
+    off += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
+  write_text(folder_ / "mesh.off", off);
+  fs::create_directory(folder_ / "results");
+  const ProgramResult run = curvature({"mesh.off", "results/here.ply"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_EQ(read_ply(folder_ / "results/here.ply").property("ii_kmax").size(), mesh.positions.size());
+  EXPECT_TRUE(fs::exists(folder_ / "results/here.png"));
+}
+
+TEST_F(CurvatureScript, ListsTheParameters)
+{
+  const ProgramResult run = curvature({"--parameters"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.output.find("scales=8\n"), std::string::npos) << run.output;
+}
+
+TEST_F(CurvatureScript, IsReadyWithinASecondWhenNothingChanged)
+{
+  curvature({"--parameters"});
+  const auto start = std::chrono::steady_clock::now();
+  curvature({"--parameters"});
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  RecordProperty("milliseconds", int(1000 * elapsed.count()));
+  EXPECT_LT(elapsed.count(), 1.0);
+}
+
+TEST_F(CurvatureScript, RefusesAMeshThatIsNotThere) { expect_refused({"nothing.ply"}, "there is no mesh file nothing.ply"); }
+
+TEST_F(CurvatureScript, RefusesAMeshThatMeshLabCannotRead)
+{
+  write_text(folder_ / "broken.ply", "this is no mesh\n");
+  expect_refused({"broken.ply"}, "MeshLab cannot read the mesh");
+}
+
+TEST_F(CurvatureScript, RefusesUnknownAndBadParameters)
+{
+  write_ply(folder_ / "mesh.ply", torus(1, 0.4, 30, 16));
+  expect_refused({"mesh.ply", "colour=red"}, "There is no parameter 'colour'");
+  expect_refused({"mesh.ply", "scales=0"}, "The parameter 'scales' is '0'");
+  expect_refused({"mesh.ply", "export_file=/x.ply"}, "second argument");
+}
+
+TEST_F(CurvatureScript, PassesOnWhyTheFilterRefused)
+{
+  TriangleMesh mesh = torus(1, 0.4, 30, 16);
+  mesh.triangles.pop_back();
+  write_ply(folder_ / "open.ply", mesh);
+  expect_refused({"open.ply", "engine=0"}, "boundary edges");
+}
+
+TEST_F(CurvatureScript, RefusesAnOutputItCannotWrite)
+{
+  write_ply(folder_ / "mesh.ply", torus(1, 0.4, 30, 16));
+  expect_refused({"mesh.ply", "none/out.ply"}, "there is no folder none");
+  expect_refused({"mesh.ply", "out.obj"}, "must end in .ply");
+  expect_refused({"mesh.ply", "./mesh.ply"}, "would overwrite the mesh");
+}
+
+}  // namespace
+}  // namespace test_support

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hosts/host.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "filter_script.h"
+#include "integral_invariant/pipeline.h"
+
+namespace test_support {
+
+namespace {
+
+namespace filter = integral_invariant::filter;
+
+filter::Request request_of(const Assignments& assignments)
+{
+  filter::Request request;
+  for (const std::string& assignment : assignments) filter::store_assignment(assignment, request);
+  return request;
+}
+
+void expect_scalars(const char* name, const std::vector<double>& actual, const std::vector<double>& expected)
+{
+  ASSERT_EQ(actual.size(), expected.size()) << name;
+  double largest = 0, difference = 0;
+  for (std::size_t v = 0; v < actual.size(); ++v) {
+    ASSERT_TRUE(std::isfinite(actual[v])) << name << " of vertex " << v;
+    largest = std::max(largest, std::abs(expected[v]));
+    difference = std::max(difference, std::abs(actual[v] - expected[v]));
+  }
+  EXPECT_LE(difference, 1e-6 * largest) << name;
+}
+
+void expect_directions(const char* name, const std::vector<Vec3>& actual, const std::vector<Vec3>& expected)
+{
+  ASSERT_EQ(actual.size(), expected.size()) << name;
+  double difference = 0;
+  for (std::size_t v = 0; v < actual.size(); ++v) difference = std::max(difference, norm(actual[v] - expected[v]));
+  EXPECT_LE(difference, 1e-5) << name;
+}
+
+}  // namespace
+
+std::string build_folder() { return environment("II_BUILD", II_BUILD_FOLDER); }
+std::string source_folder() { return II_SOURCE_FOLDER; }
+std::string models_folder() { return environment("II_MODELS", source_folder() + "/../shared/models"); }
+
+Host find_host(const std::string& release)
+{
+  const std::string server = build_folder() + "/meshlab-2020.09/bin/meshlabserver";
+  if (std::filesystem::exists(server)) return {release, ""};
+  return {release, "not run: there is no " + server + "; scripts/test makes it where MeshLab 2020.09 is installed"};
+}
+
+std::string filter_script(const Assignments& assignments) { return filter::filter_script(request_of(assignments)); }
+
+std::string with_value(std::string script, const std::string& parameter, const std::string& value)
+{
+  const std::size_t name = script.find("name=\"" + parameter + "\"");
+  if (name == std::string::npos) throw std::invalid_argument("the script has no parameter " + parameter);
+  const std::size_t begin = script.find("value=\"", name) + 7;
+  return script.replace(begin, script.find('"', begin) - begin, value);
+}
+
+HostRun run_script(const Host&, const std::string& mesh_file, const std::string& script, const std::string& saved)
+{
+  const TemporaryFolder folder;
+  write_text(folder / "script.mlx", script);
+  // A host that hangs must not hang the tests.
+  std::vector<std::string> command = {"timeout", "250", "xvfb-run", "-a",
+                                      build_folder() + "/meshlab-2020.09/bin/meshlabserver"};
+  if (!mesh_file.empty()) command.insert(command.end(), {"-i", mesh_file});
+  if (!saved.empty()) command.insert(command.end(), {"-o", saved, "-m", "vq", "vr", "vc", "vn"});
+  command.insert(command.end(), {"-s", folder / "script.mlx"});
+  const ProgramResult result = run_program(command);
+  return {result.status, result.output};
+}
+
+void expect_equal_to_core(const PlyFile& exported, const TriangleMesh& mesh, const Assignments& assignments)
+{
+  const integral_invariant::Result core =
+      integral_invariant::compute_curvature(in_single_precision(mesh), request_of(assignments).method);
+  expect_scalars("ii_kmax", exported.property("ii_kmax"), core.kappa_max);
+  expect_scalars("ii_kmin", exported.property("ii_kmin"), core.kappa_min);
+  expect_scalars("ii_radius", exported.property("ii_radius"), core.radius);
+  expect_scalars("ii_confidence", exported.property("ii_confidence"), {core.confidence.begin(), core.confidence.end()});
+  expect_directions("ii_dirmax", exported.vectors("ii_dirmax"), core.dir_max);
+  expect_directions("ii_dirmin", exported.vectors("ii_dirmin"), core.dir_min);
+}
+
+}  // namespace test_support
