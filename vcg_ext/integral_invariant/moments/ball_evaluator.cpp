@@ -25,6 +25,7 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   for (std::uint32_t k = 0; k < scales_; ++k)
     if (near.has_far[k]) shells_[k] += cone_moments(near.far[k], -centre_);
   for (std::size_t i = 0; i < near.corners.size(); ++i) add_triangle(near.corners[i], near.triangles[i]);
+  for (const std::uint32_t i : near.large) add_large(near.corners[i], near.triangles[i]);
   for (const LocalFreeEdge& edge : near.free_edges) add_free_edge(edge);
   finish();
   return moments_;
@@ -54,8 +55,6 @@ void BallEvaluator::add_triangle(const LocalCorners& corners, const LocalTriangl
   const std::uint32_t s[3] = {std::uint32_t(scale_of_[corners.corner[0]]), std::uint32_t(scale_of_[corners.corner[1]]),
                               std::uint32_t(scale_of_[corners.corner[2]])};
   const std::uint32_t least = std::min({s[0], s[1], s[2]}), most = std::max({s[0], s[1], s[2]});
-  if (corners.first_small_scale > 0 && least > 0)
-    add_large(corners, triangle, std::min(least, corners.first_small_scale));
   if (least == scales_) return;
 
   // From its second vertex's scale on the triangle counts as whole, less the corner that is still outside.
@@ -80,8 +79,8 @@ void BallEvaluator::add_corner(const LocalCorners& t, int lone, std::uint32_t k,
   const int next = lone == 2 ? 0 : lone + 1, previous = lone == 0 ? 2 : lone - 1;
   const Vec3 a = point(t.corner[lone]), b = point(t.corner[next]), c = point(t.corner[previous]);
   batches_[k].push(a, b, c, lone_is_inside ? 1 : -1);
+  if (k < t.first_narrow_scale) is_wide_[k] = 1;
   if (k < t.first_small_scale) {
-    is_wide_[k] = 1;
     const double radius = radii_[k];
     const Vec3 p = a + (b - a) * edge_crossing(a, b, radius), q = a + (c - a) * edge_crossing(a, c, radius);
     cuts_[k].moments += curved_excess({a, b, c}, radius, 0, lone_is_inside, {p, q});
@@ -89,8 +88,11 @@ void BallEvaluator::add_corner(const LocalCorners& t, int lone, std::uint32_t k,
   if (batches_[k].is_full()) flush(k);
 }
 
-void BallEvaluator::add_large(const LocalCorners& corners, const LocalTriangle& triangle, std::uint32_t end_scale)
+void BallEvaluator::add_large(const LocalCorners& corners, const LocalTriangle& triangle)
 {
+  std::uint32_t end_scale = corners.first_small_scale;
+  for (const std::uint32_t corner : corners.corner) end_scale = std::min(end_scale, std::uint32_t(scale_of_[corner]));
+  if (end_scale == 0) return;
   // No point of a triangle is farther from its centroid than two thirds of the longest edge.
   const double distance = norm(triangle.centroid - centre_) - triangle.longest_edge * (2.0 / 3);
   for (std::uint32_t k = 0; k < end_scale; ++k)

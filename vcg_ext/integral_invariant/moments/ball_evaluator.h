@@ -25,7 +25,7 @@ class BallEvaluator {
   void add_triangle(const LocalCorners& corners, const LocalTriangle& triangle);
   void add_whole(const LocalTriangle& triangle, std::uint32_t scale);
   void add_corner(const LocalCorners& corners, int lone, std::uint32_t scale, bool lone_is_inside);
-  void add_large(const LocalCorners& corners, const LocalTriangle& triangle, std::uint32_t end_scale);
+  void add_large(const LocalCorners& corners, const LocalTriangle& triangle);
   void add_free_edge(const LocalFreeEdge& edge);
   void flush(std::uint32_t scale);
   void finish();

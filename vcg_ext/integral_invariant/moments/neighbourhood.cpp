@@ -85,6 +85,7 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.centre = block_.centre;
   local_.corners.clear();
   local_.triangles.clear();
+  local_.large.clear();
   local_.free_edges.clear();
   local_.far.assign(radii_.size(), {});
   local_.has_far.assign(radii_.size(), 0);
@@ -136,11 +137,20 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   for (int i = 0; i < 3; ++i) corners.corner[i] = local(std::uint32_t(triangle[i]));
   t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
   t.spread = outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid);
-  corners.first_small_scale = 0;
-  while (corners.first_small_scale < radii_.size() && t.longest_edge > small_edge_ * radii_[corners.first_small_scale])
-    ++corners.first_small_scale;
+  corners.first_small_scale = scale_holding(t.longest_edge, small_edge_);
+  corners.first_narrow_scale = scale_holding(t.longest_edge, longest_narrow_chord);
+  if (corners.first_small_scale > 0 &&
+      norm(t.centroid) < radii_[corners.first_small_scale - 1] + block_.radius + t.longest_edge)
+    local_.large.push_back(std::uint32_t(local_.corners.size()));
   local_.corners.push_back(corners);
   local_.triangles.push_back(t);
+}
+
+std::uint16_t NeighbourhoodGatherer::scale_holding(double edge, double share) const
+{
+  std::size_t scale = 0;
+  while (scale < radii_.size() && edge > share * radii_[scale]) ++scale;
+  return std::uint16_t(scale);
 }
 
 void NeighbourhoodGatherer::gather_free_edges()
