@@ -62,6 +62,9 @@ std::vector<ParameterSpec> ridge_valley_rows()
       real<&R::minimum_area>("minimum_area", "length^2", {0, largest_real},
           {"Least area of a region", "Smaller regions are dropped."}),
       boolean<&O::colorize>("colorize", {"Colour the vertices", "Ridges red, valleys blue, the rest grey."}),
+      save_file("export_file",
+          {"Export to PLY", "Writes the mesh with the property ii_feature (1 ridge, -1 valley, 0 neither) and colours. Empty: no "
+           "file."}),
   }, curvature_source_rows());
 }
 
