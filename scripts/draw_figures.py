@@ -237,7 +237,7 @@ def figure_2(data):
 
 def figure_3(data):
     """Radius and mean curvature before and after smoothing of the radius."""
-    names, titles = ("armadillo_unsmoothed", "armadillo_adapted"), ("before smoothing", "after smoothing")
+    names, titles = ("armadillo_unsmoothed", "armadillo_smoothed"), ("before smoothing", "after ten passes")
     radius, mean = table_for(data, names[1], "ii_radius", 100), table_for(data, names[1], "mean")
     return [curvature_panels(data, names, titles, "ii_radius", radius, **FACE) + [legend(radius, "radius", "length", PANEL[1])],
             curvature_panels(data, names, titles, "mean", mean, **FACE) + [legend(mean, "mean curvature", "1 / length", PANEL[1])]]
