@@ -24,7 +24,9 @@ ProgressCallback first_part(const ProgressCallback& progress, int share)
 ProgressCallback last_part(const ProgressCallback& progress, int share)
 {
   if (!progress) return {};
-  return [progress, share](int percent, const char* stage) { return progress(share + percent * (100 - share) / 100, stage); };
+  return [progress, share](int percent, const char* stage) {
+    return progress(share + percent * (100 - share) / 100, stage);
+  };
 }
 
 constexpr int curvature_share = 85;

@@ -41,8 +41,8 @@ ParameterSpec line_export()
 {
   return save_file("export_file",
       {"Export to PLY",
-       "Writes the lines as vertices and edges, with the properties ii_line, ii_kind and ii_strength of the vertices. Empty: "
-       "no file."});
+       "Writes the lines as vertices and edges, with the properties ii_line, ii_kind and ii_strength of the vertices. "
+       "Empty: no file."});
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ std::vector<ParameterSpec> ridge_valley_rows()
           {"Least area of a region", "Smaller regions are dropped."}),
       boolean<&O::colorize>("colorize", {"Colour the vertices", "Ridges red, valleys blue, the rest grey."}),
       save_file("export_file",
-          {"Export to PLY", "Writes the mesh with the property ii_feature (1 ridge, -1 valley, 0 neither) and colours. Empty: no "
-           "file."}),
+          {"Export to PLY",
+           "Writes the mesh with the property ii_feature (1 ridge, -1 valley, 0 neither) and colours. Empty: no file."}),
   }, curvature_source_rows());
 }
 
@@ -103,8 +103,8 @@ std::vector<ParameterSpec> direction_rows()
   return joined({
       choice<&LayerOptions::style>("style", {"Lines of curvature", "Segments"},
           {"Style",
-           "Lines of curvature: evenly spaced curves along the directions, which end at umbilics. Segments: short lines at "
-           "vertices."}),
+           "Lines of curvature: evenly spaced curves along the directions, which end at umbilics. Segments: short lines "
+           "at vertices."}),
       boolean<&D::maximal>("maximal", {"Maximal curvature", "Directions of the maximal curvature."}),
       boolean<&D::minimal>("minimal", {"Minimal curvature", "Directions of the minimal curvature."}),
       length<&D::spacing>("spacing",
@@ -130,8 +130,8 @@ std::vector<ParameterSpec> signature_rows()
   return joined({
       choice<&S::quantity>("signature_quantity", {"Volume invariant", "Mean curvature", "Difference curvature"},
           {"Quantity",
-           "What becomes the quality of the vertices. The volume invariant runs from -1 (all of the ball solid) over 0 (flat) "
-           "to 1 (nothing solid). All three are stored as attributes in any case.", "[Pottmann07], [Yang06]"}),
+           "What becomes the quality of the vertices. The volume invariant runs from -1 (all of the ball solid) over 0 "
+           "(flat) to 1 (nothing solid). All three are stored as attributes in any case.", "[Pottmann07], [Yang06]"}),
       choice<&S::reduction>("reduction", {"One scale", "Minimum", "Maximum", "p-norm"},
           {"Reduction", "How the values of the scales become one."}),
       integer<&S::scale>("scale", "", {1, limits::max_scales},
@@ -143,8 +143,8 @@ std::vector<ParameterSpec> signature_rows()
       shared_rows({"color_percentile"}).front(),
       save_file("export_file",
           {"Export to PLY",
-           "Writes the mesh with the whole signature: ii_volume_1, ii_mean_1, ii_difference_1 and so on for every scale, and "
-           "quality and colour. Empty: no file."}),
+           "Writes the mesh with the whole signature: ii_volume_1, ii_mean_1, ii_difference_1 and so on for every scale, "
+           "and quality and colour. Empty: no file."}),
   }, shared_rows({"scales", "r_min", "r_max", "scale_spacing", "engine", "fft_cells_per_radius", "exactness",
                   "memory_limit_mb", "threads"}));
 }
