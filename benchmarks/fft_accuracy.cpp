@@ -42,7 +42,7 @@ Curvatures curvatures_times_radius(const Surface& surface, double radius, double
 void measure(const std::string& name, const TriangleMesh& mesh, double radius)
 {
   const Surface surface(rotated(mesh, normalized({1, 2, 3}), 0.7));
-  const Curvatures reference = curvatures_times_radius(surface, radius, 32);
+  const Curvatures reference = curvatures_times_radius(surface, radius, 24);
   double before = 0, cells_before = 0;
   for (const double cells : {2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0}) {
     const Curvatures measured = curvatures_times_radius(surface, radius, cells);

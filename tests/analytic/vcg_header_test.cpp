@@ -24,14 +24,13 @@ void fill_with_sphere(Mesh& m)
 {
   const auto sphere = test_support::icosphere(4, 2);
   for (const auto& p : sphere.positions) {
-    auto deleted = vcg::tri::Allocator<Mesh>::AddVertex(m, Mesh::CoordType(9, 9, 9));
+    vcg::tri::Allocator<Mesh>::DeleteVertex(m, *vcg::tri::Allocator<Mesh>::AddVertex(m, Mesh::CoordType(9, 9, 9)));
     vcg::tri::Allocator<Mesh>::AddVertex(m, Mesh::CoordType(p.x, p.y, p.z));
-    vcg::tri::Allocator<Mesh>::DeleteVertex(m, *deleted);
   }
   for (const auto& t : sphere.triangles) {
-    auto deleted = vcg::tri::Allocator<Mesh>::AddFace(m, size_t(2 * t[0] + 1), size_t(2 * t[1] + 1), size_t(2 * t[1] + 1));
-    vcg::tri::Allocator<Mesh>::AddFace(m, size_t(2 * t[0] + 1), size_t(2 * t[1] + 1), size_t(2 * t[2] + 1));
-    vcg::tri::Allocator<Mesh>::DeleteFace(m, *deleted);
+    const size_t a = size_t(2 * t[0] + 1), b = size_t(2 * t[1] + 1), c = size_t(2 * t[2] + 1);
+    vcg::tri::Allocator<Mesh>::DeleteFace(m, *vcg::tri::Allocator<Mesh>::AddFace(m, a, b, b));
+    vcg::tri::Allocator<Mesh>::AddFace(m, a, b, c);
   }
 }
 

@@ -49,7 +49,7 @@ std::string refusal(const TriangleMesh& mesh, const Parameters& parameters)
 
 bool mentions(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
-const EngineKind engines[] = {EngineKind::volume_fft};
+const EngineKind engines[] = {EngineKind::volume_fft, EngineKind::surface_integral};
 
 class Pipeline : public testing::TestWithParam<EngineKind> {
  protected:

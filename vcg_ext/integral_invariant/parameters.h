@@ -60,7 +60,7 @@ struct Parameters {
   bool smooth_radius = true;                       ///< bilateral smoothing of the radius [Lai09 eq. 9]
   int smoothing_passes = 1;
 
-  double fft_cells_per_radius = 4;                 ///< the grid step is the smallest radius over this, in [1, 64]
+  double fft_cells_per_radius = 6;                 ///< the grid step of a scale is its radius over this, in [1, 64]
   Exactness exactness = Exactness::balanced;       ///< surface engine only
   bool same_sheet = false;                         ///< surface engine only: the ball's connected piece of surface alone
 

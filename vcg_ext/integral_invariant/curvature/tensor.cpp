@@ -38,16 +38,16 @@ Tangential2 in_basis(const Symmetric3& k, const Vec3& u, const Vec3& v)
 CurvatureTensor curvature_tensor(const BallMoments& moments, double radius)
 {
   const double away = norm(moments.first);
-  // Under rounding, a ball that is all solid or all empty has no direction.
-  constexpr double no_direction = 1e-12;
-  if (!(moments.volume > 0) || !(away > no_direction * radius * moments.volume)) return {};
+  const double r3 = radius * radius * radius;
+  // What a single-precision engine leaves in a ball that is all solid or all empty; a cone of 1 degree holds more.
+  constexpr double nothing = 1e-5;
+  if (!(moments.volume > nothing * r3) || !(away > nothing * r3 * radius)) return {};
 
   const Symmetric3 covariance = moments.second - outer(moments.first) * (1 / moments.volume);
   const Vec3 normal = eigenvector_along(covariance, moments.first * (-1 / away));
   const Symmetric3 tangential = tangential_part(covariance, normal);
 
-  const double r6 = radius * radius * radius * radius * radius * radius;
-  const double factor = 6 / (pi * r6);
+  const double factor = 6 / (pi * r3 * r3);
   const double isotropic = factor * tangential.trace() + 8 / (5 * radius);
   const Symmetric3 projector = Symmetric3::identity() - outer(normal);
   return {projector * isotropic - tangential * (4 * factor), normal, moments.confidence};

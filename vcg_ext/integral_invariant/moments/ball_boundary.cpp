@@ -36,19 +36,19 @@ ArcSums& ArcSums::operator+=(const ArcSums& b)
   return *this;
 }
 
-BallMoments ball_moments(const MomentSums& flux, const ArcSums& arcs, double radius)
+BallMoments ball_moments(const MomentSums& flux, const ArcTerms& arcs, double half_area, double radius)
 {
   const double r3 = radius * radius * radius;
   // 3 flux / r³ + area is 4π times the solid share of the ball, and the area is known modulo 4π.
   const double flux_area = 3 * flux.volume / r3;
-  double solid = std::fmod(flux_area - 2 * arcs.half_area(), 4 * pi);
+  double solid = std::fmod(flux_area - 2 * half_area, 4 * pi);
   if (solid < 0) solid += 4 * pi;
   const double area = solid - flux_area;
 
   BallMoments moments;
   moments.volume = std::clamp(solid * r3 / 3, 0.0, 4 * pi / 3 * r3);
-  moments.first = flux.first - arcs.terms().first * (r3 * radius / 4);
-  moments.second = flux.second + (Symmetric3::identity(area / 3) - arcs.terms().second) * (r3 * radius * radius / 5);
+  moments.first = flux.first - arcs.first * (r3 * radius / 4);
+  moments.second = flux.second + (Symmetric3::identity(area / 3) - arcs.second) * (r3 * radius * radius / 5);
   return moments;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "integral_invariant/moments/ball_boundary.h"
+#include "integral_invariant/moments/ball_kernels.h"
 #include "integral_invariant/moments/neighbourhood.h"
 
 namespace integral_invariant {
@@ -20,19 +21,26 @@ class BallEvaluator {
 
  private:
   void clear();
-  void place_points(const Neighbourhood& near);
-  void add_triangle(const LocalTriangle& triangle);
-  void add_corner(const LocalTriangle& triangle, int lone, std::uint32_t scale, bool lone_is_inside);
-  void add_large(const LocalTriangle& triangle, std::uint32_t first_scale, std::uint32_t end_scale);
+  void place(const Neighbourhood& near);
+  void add_triangle(const LocalCorners& corners, const LocalTriangle& triangle);
+  void add_whole(const LocalTriangle& triangle, std::uint32_t scale);
+  void add_corner(const LocalCorners& corners, int lone, std::uint32_t scale, bool lone_is_inside);
+  void add_large(const LocalCorners& corners, const LocalTriangle& triangle);
   void add_free_edge(const LocalFreeEdge& edge);
+  void flush(std::uint32_t scale);
   void finish();
+  Vec3 point(std::uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
 
   const std::vector<double> radii_;
+  std::vector<double> squared_radii_;
   const std::uint32_t scales_;
   Vec3 pole_, centre_;
-  std::vector<Vec3> points_;                ///< local points relative to the balls' centre
-  std::vector<std::uint8_t> scale_of_;      ///< per local point: the first scale whose ball holds it
-  std::vector<MomentSums> shells_, cuts_;   ///< whole triangles by their first scale; pieces of one scale
+  std::vector<double> x_, y_, z_;           ///< local points relative to the balls' centre
+  std::vector<std::int64_t> scale_of_;      ///< per local point: the first scale whose ball holds it
+  std::vector<MomentSums> shells_;          ///< whole triangles, by the first scale that holds them
+  std::vector<CornerBatch> batches_;        ///< per scale: corners to come
+  std::vector<char> is_wide_;               ///< per scale: some corner of the batch may have a long chord
+  std::vector<CornerSums> cuts_;            ///< per scale: what belongs to that scale alone
   std::vector<ArcSums> shell_arcs_, cut_arcs_;
   std::vector<BallMoments> moments_;
 };

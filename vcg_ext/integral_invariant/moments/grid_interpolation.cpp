@@ -13,9 +13,9 @@ double sampling_correction(double k)
   // The prefilter that makes the spline interpolate: the inverse of (1 4 1)/6. Measured against the least squares
   // prefilter and the one that is exact for the lowest frequencies, it gave the smallest error of the curvature.
   const double s = std::sin(k / 2), prefilter = 1 / (1 - 2.0 / 3 * s * s);
-  // Near |k| = π the samples are as much alias as signal: let the band end smoothly there, so that the kernels do not
-  // ring beyond the ball. A lower power costs accuracy at edges, a higher one on smooth surfaces.
-  const double taper = 1 - std::pow(k / pi, 8);
+  // Near |k| = π the samples are as much alias as signal: let the band end smoothly there, with a double zero, so that
+  // the kernels ring little beyond the ball. Lower powers cost accuracy at edges, higher ones on smooth surfaces.
+  const double end = 1 - std::pow(k / pi, 6), taper = end * end;
   return taper * prefilter / decimated_transfer(k);
 }
 

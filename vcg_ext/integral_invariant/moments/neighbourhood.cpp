@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "integral_invariant/moments/ball_kernels.h"
+
 namespace integral_invariant {
 
 namespace {
@@ -60,6 +62,14 @@ void SurfaceTree::sum_moments()
   }
 }
 
+void Neighbourhood::pad_points()
+{
+  const std::size_t lanes = CornerBatch::lanes, size = (point_ids.size() + lanes - 1) / lanes * lanes;
+  x.resize(size, 0.0);
+  y.resize(size, 0.0);
+  z.resize(size, 0.0);
+}
+
 NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii,
                                              double small_edge, bool sum_far)
     : tree_(tree), radii_(radii), small_edge_(small_edge), sum_far_(sum_far), table_(4096, 0)
@@ -73,13 +83,16 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   block_ = bounding_sphere(points.data(), points.size());
   forget_points();
   local_.centre = block_.centre;
+  local_.corners.clear();
   local_.triangles.clear();
+  local_.large.clear();
   local_.free_edges.clear();
   local_.far.assign(radii_.size(), {});
   local_.has_far.assign(radii_.size(), 0);
   for (std::size_t i = begin; i < end; ++i) local(std::uint32_t(i));
   gather_triangles();
   gather_free_edges();
+  local_.pad_points();
   return local_;
 }
 
@@ -116,16 +129,28 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   for (int i = 0; i < 3; ++i) v[i] = points[std::size_t(triangle[i])] - block_.centre;
   const double longest2 = std::max({squared_norm(v[1] - v[0]), squared_norm(v[2] - v[1]), squared_norm(v[0] - v[2])});
   LocalTriangle t;
+  LocalCorners corners;
   t.centroid = (v[0] + v[1] + v[2]) * (1.0 / 3);
-  if (norm(t.centroid) > radii_.back() + block_.radius + std::sqrt(longest2)) return;
-  for (int i = 0; i < 3; ++i) t.corner[i] = local(std::uint32_t(triangle[i]));
+  const double reach = radii_.back() + block_.radius;
+  t.longest_edge = std::sqrt(longest2);
+  if (squared_norm(t.centroid) > (reach + t.longest_edge) * (reach + t.longest_edge)) return;
+  for (int i = 0; i < 3; ++i) corners.corner[i] = local(std::uint32_t(triangle[i]));
   t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
   t.spread = outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid);
-  t.first_small_scale = 0;
-  while (t.first_small_scale < radii_.size() &&
-         longest2 > small_edge_ * small_edge_ * radii_[t.first_small_scale] * radii_[t.first_small_scale])
-    ++t.first_small_scale;
+  corners.first_small_scale = scale_holding(t.longest_edge, small_edge_);
+  corners.first_narrow_scale = scale_holding(t.longest_edge, longest_narrow_chord);
+  if (corners.first_small_scale > 0 &&
+      norm(t.centroid) < radii_[corners.first_small_scale - 1] + block_.radius + t.longest_edge)
+    local_.large.push_back(std::uint32_t(local_.corners.size()));
+  local_.corners.push_back(corners);
   local_.triangles.push_back(t);
+}
+
+std::uint16_t NeighbourhoodGatherer::scale_holding(double edge, double share) const
+{
+  std::size_t scale = 0;
+  while (scale < radii_.size() && edge > share * radii_[scale]) ++scale;
+  return std::uint16_t(scale);
 }
 
 void NeighbourhoodGatherer::gather_free_edges()

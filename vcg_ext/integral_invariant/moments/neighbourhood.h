@@ -34,12 +34,18 @@ class SurfaceTree {
   std::vector<bool> is_border_;
 };
 
-/// A triangle of a neighbourhood, by local points, with what its cone moments about any apex are made of.
-struct LocalTriangle {
+/// Corners of a triangle of a neighbourhood, by local points.
+struct LocalCorners {
   std::array<std::uint32_t, 3> corner;
-  std::uint32_t first_small_scale;  ///< the triangle is small against the radii from this scale on
+  std::uint16_t first_small_scale;   ///< from this scale on the triangle's circular segments are left out
+  std::uint16_t first_narrow_scale;  ///< from this scale on its chords are at most longest_narrow_chord radii
+};
+
+/// What the triangle's cone moments about any apex are made of.
+struct LocalTriangle {
   Vec3 centroid, doubled_area;      ///< doubled_area = (b − a) × (c − a)
   Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ over the corners
+  double longest_edge;
 };
 
 struct LocalFreeEdge {
@@ -52,13 +58,16 @@ struct LocalFreeEdge {
 struct Neighbourhood {
   Vec3 centre;
   std::vector<std::uint32_t> point_ids;     ///< local → SpatialOrder::points
-  std::vector<double> x, y, z;              ///< per local point
+  std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
+  std::vector<LocalCorners> corners;        ///< per triangle
   std::vector<LocalTriangle> triangles;
+  std::vector<std::uint32_t> large;         ///< triangles that a sphere against which they are large may cut
   std::vector<LocalFreeEdge> free_edges;
   std::vector<FluxMoments> far;             ///< per scale from which on they are inside; about `centre`
   std::vector<char> has_far;
 
   Vec3 point(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
+  void pad_points();
 };
 
 /// Gathers neighbourhoods one after the other into the same memory.
@@ -76,6 +85,8 @@ class NeighbourhoodGatherer {
   /// Scale from which on all balls about the block hold the sphere, or −1 where some ball can cut it.
   int common_scale(const Sphere& sphere) const;
   void add_triangle(const Triangle& triangle);
+  /// First scale at which an edge is at most `share` of the radius.
+  std::uint16_t scale_holding(double edge, double share) const;
   void gather_triangles();
   void gather_free_edges();
   void forget_points();

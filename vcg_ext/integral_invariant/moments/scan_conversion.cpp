@@ -12,79 +12,83 @@ namespace integral_invariant {
 
 namespace {
 
+/// x, y, z; unlike Vec3 left uninitialised, since polygons are made and dropped by the million.
+using Point = double[3];
+
 /// A convex polygon; a triangle cut by six planes has at most nine corners.
 struct Polygon {
   int size = 0;
-  std::array<Vec3, 12> corner;
-  void add(const Vec3& v) { corner[std::size_t(size++)] = v; }
+  Point corner[12];
+  void add(const Point& v)
+  {
+    for (int a = 0; a < 3; ++a) corner[size][a] = v[a];
+    ++size;
+  }
 };
 
 struct Range {
   double low, high;
 };
 
-Range range_along(const Polygon& polygon, double Vec3::*axis)
+template <int axis>
+Range range_along(const Polygon& polygon)
 {
-  Range range{polygon.corner[0].*axis, polygon.corner[0].*axis};
+  Range range{polygon.corner[0][axis], polygon.corner[0][axis]};
   for (int i = 1; i < polygon.size; ++i) {
-    const double value = polygon.corner[std::size_t(i)].*axis;
-    range.low = std::min(range.low, value);
-    range.high = std::max(range.high, value);
+    range.low = std::min(range.low, polygon.corner[i][axis]);
+    range.high = std::max(range.high, polygon.corner[i][axis]);
   }
   return range;
 }
 
-/// Where the edge from a (below the plane) to b (above) meets it. Always taken from below to above, so that the two
-/// triangles at an edge are cut at the same point to the last bit and no area is lost between them.
-Vec3 cut(const Vec3& a, const Vec3& b, double Vec3::*axis, double plane)
+/// Adds to both the point where the edge from a (below the plane) to b (above) meets it. Always taken from below to
+/// above, so that the two triangles at an edge are cut at the same point to the last bit and no area is lost between them.
+template <int axis>
+void add_cut(const Point& a, const Point& b, double plane, Polygon& below, Polygon& above)
 {
-  Vec3 point = a + (b - a) * ((plane - a.*axis) / (b.*axis - a.*axis));
-  point.*axis = plane;
-  return point;
+  const double t = (plane - a[axis]) / (b[axis] - a[axis]);
+  Point point;
+  for (int i = 0; i < 3; ++i) point[i] = i == axis ? plane : a[i] + (b[i] - a[i]) * t;
+  below.add(point);
+  above.add(point);
 }
 
-void split(const Polygon& polygon, double Vec3::*axis, double plane, Polygon& below, Polygon& above)
+template <int axis>
+void split(const Polygon& polygon, double plane, Polygon& below, Polygon& above)
 {
   below.size = above.size = 0;
-  const Vec3* previous = &polygon.corner[std::size_t(polygon.size - 1)];
-  for (int i = 0; i < polygon.size; ++i) {
-    const Vec3* current = &polygon.corner[std::size_t(i)];
-    const double from = previous->*axis - plane, to = current->*axis - plane;
-    if (from < 0 && to > 0) {
-      const Vec3 point = cut(*previous, *current, axis, plane);
-      below.add(point);
-      above.add(point);
-    } else if (from > 0 && to < 0) {
-      const Vec3 point = cut(*current, *previous, axis, plane);
-      below.add(point);
-      above.add(point);
-    }
-    if (to <= 0) below.add(*current);
-    if (to >= 0) above.add(*current);
-    previous = current;
+  int previous = polygon.size - 1;
+  for (int i = 0; i < polygon.size; previous = i++) {
+    const Point &last = polygon.corner[previous], &current = polygon.corner[i];
+    const double from = last[axis] - plane, to = current[axis] - plane;
+    if (from < 0 && to > 0) add_cut<axis>(last, current, plane, below, above);
+    if (from > 0 && to < 0) add_cut<axis>(current, last, plane, below, above);
+    if (to <= 0) below.add(current);
+    if (to >= 0) above.add(current);
   }
 }
 
 /// Calls `visit(index, part)` for the parts of the polygon in the slabs [index, index + 1] along `axis`, 0 ≤ index < count.
-template <class Visitor>
-void for_each_slab(Polygon polygon, double Vec3::*axis, int count, const Visitor& visit)
+template <int axis, class Visitor>
+void for_each_slab(const Polygon& polygon, int count, const Visitor& visit)
 {
-  const Range range = range_along(polygon, axis);
+  const Range range = range_along<axis>(polygon);
   if (range.high <= 0 || range.low >= count) return;
-  Polygon below, above;
-  if (range.low < 0) {
-    split(polygon, axis, 0, below, above);
-    polygon = above;
-  }
   const int first = range.low > 0 ? int(range.low) : 0;
-  for (int index = first; index < count && polygon.size >= 3; ++index) {
-    if (range.high <= index + 1) {
-      visit(index, polygon);
-      return;
-    }
-    split(polygon, axis, index + 1, below, above);
+  if (range.low >= 0 && range.high <= first + 1) return visit(first, polygon);
+  Polygon below, rests[2];
+  const Polygon* rest = &polygon;
+  int next = 0;
+  const auto cut_at = [&](double plane) {
+    split<axis>(*rest, plane, below, rests[next]);
+    rest = &rests[next];
+    next = 1 - next;
+  };
+  if (range.low < 0) cut_at(0);
+  for (int index = first; index < count && rest->size >= 3; ++index) {
+    if (range.high <= index + 1) return visit(index, *rest);
+    cut_at(index + 1);
     if (below.size >= 3) visit(index, below);
-    polygon = above;
   }
 }
 
@@ -96,12 +100,12 @@ struct ProjectedIntegral {
 ProjectedIntegral project(const Polygon& polygon)
 {
   ProjectedIntegral sum;
-  const Vec3& a = polygon.corner[0];
-  for (std::size_t i = 1; i + 1 < std::size_t(polygon.size); ++i) {
-    const Vec3 &b = polygon.corner[i], &c = polygon.corner[i + 1];
-    const double area = 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  const Point& a = polygon.corner[0];
+  for (int i = 1; i + 1 < polygon.size; ++i) {
+    const Point &b = polygon.corner[i], &c = polygon.corner[i + 1];
+    const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
     sum.area += area;
-    sum.height += area * (a.z + b.z + c.z) * (1.0 / 3);
+    sum.height += area * (a[2] + b[2] + c[2]) * (1.0 / 3);
   }
   return sum;
 }
@@ -111,25 +115,39 @@ Polygon triangle_in_box(const Surface& surface, std::uint32_t index, const Voxel
 {
   const Vec3 corner{double(box.begin[0]), double(box.begin[1]), double(box.begin[2])};
   Polygon polygon;
-  for (const std::int32_t vertex : surface.triangles()[index])
-    polygon.add(grid.to_cells(surface.positions()[std::size_t(vertex)]) - corner);
+  for (const std::int32_t vertex : surface.triangles()[index]) {
+    const Vec3 cell = grid.to_cells(surface.positions()[std::size_t(vertex)]) - corner;
+    polygon.add({cell.x, cell.y, cell.z});
+  }
   return polygon;
 }
 
 bool misses(const Range& range, double count) { return range.high <= 0 || range.low >= count; }
 
-/// From differences to fractions, from the top of each column down.
+/// From differences to fractions, from the top down, for `count` neighbouring columns at once: the running sums are
+/// independent, so the processor need not wait for one before it adds to the next.
+template <std::size_t count>
+void sum_down(int height, const float* carry, float* cells, std::size_t row_stride)
+{
+  double sums[count];
+  for (std::size_t c = 0; c < count; ++c) sums[c] = carry ? double(carry[c]) : 0.0;
+  for (std::size_t k = std::size_t(height); k-- > 0;)
+    for (std::size_t c = 0; c < count; ++c) {
+      float& cell = cells[c * row_stride + k];
+      sums[c] += double(cell);
+      cell = float(std::clamp(sums[c], 0.0, 1.0));
+    }
+}
+
 void sum_columns(const CellBox& box, const float* carry, float* cells, std::size_t row_stride)
 {
+  constexpr std::size_t group = 8;
   const std::size_t columns = std::size_t(box.size[0]) * std::size_t(box.size[1]);
-  for (std::size_t column = 0; column < columns; ++column) {
-    float* row = cells + column * row_stride;
-    double sum = carry ? double(carry[column]) : 0.0;
-    for (int k = box.size[2] - 1; k >= 0; --k) {
-      sum += double(row[k]);
-      row[k] = float(std::clamp(sum, 0.0, 1.0));
-    }
-  }
+  std::size_t column = 0;
+  for (; column + group <= columns; column += group)
+    sum_down<group>(box.size[2], carry ? carry + column : nullptr, cells + column * row_stride, row_stride);
+  for (; column < columns; ++column)
+    sum_down<1>(box.size[2], carry ? carry + column : nullptr, cells + column * row_stride, row_stride);
 }
 
 }  // namespace
@@ -142,21 +160,21 @@ void carry_planes(const Surface& surface, const VoxelGrid& grid, const CellBox& 
   CellBox base = box;
   base.begin[2] = 0;
   const auto add_area = [&](const Polygon& polygon, float* plane) {
-    for_each_slab(polygon, &Vec3::x, box.size[0], [&](int i, const Polygon& slab) {
-      for_each_slab(slab, &Vec3::y, box.size[1], [&](int j, const Polygon& part) {
+    for_each_slab<0>(polygon, box.size[0], [&](int i, const Polygon& slab) {
+      for_each_slab<1>(slab, box.size[1], [&](int j, const Polygon& part) {
         plane[std::size_t(i) * std::size_t(box.size[1]) + std::size_t(j)] += float(project(part).area);
       });
     });
   };
   for (const std::uint32_t index : triangles) {
     Polygon rest = triangle_in_box(surface, index, grid, base), below, above;
-    if (misses(range_along(rest, &Vec3::x), box.size[0]) || misses(range_along(rest, &Vec3::y), box.size[1])) continue;
-    const Range height = range_along(rest, &Vec3::z);
+    if (misses(range_along<0>(rest), box.size[0]) || misses(range_along<1>(rest), box.size[1])) continue;
+    const Range height = range_along<2>(rest);
     const auto above_of = std::upper_bound(tops.begin(), tops.end(), height.low,
                                            [](double z, std::int64_t top) { return z < double(top); });
     std::size_t t = std::size_t(above_of - tops.begin());  // the piece in hand lies above the tops before t
     for (; t < tops.size() && double(tops[t]) < height.high; ++t) {
-      split(rest, &Vec3::z, double(tops[t]), below, above);
+      split<2>(rest, double(tops[t]), below, above);
       if (t > 0 && below.size >= 3) add_area(below, planes + (t - 1) * plane_size);
       rest = above;
     }
@@ -174,13 +192,13 @@ void scan_convert(const Surface& surface, const VoxelGrid& grid, const CellBox& 
   std::fill(cells, cells + columns * row_stride, 0.0f);
   for (const std::uint32_t index : triangles) {
     const Polygon triangle = triangle_in_box(surface, index, grid, box);
-    if (misses(range_along(triangle, &Vec3::x), box.size[0]) ||
-        misses(range_along(triangle, &Vec3::y), box.size[1]) || misses(range_along(triangle, &Vec3::z), box.size[2]))
+    if (misses(range_along<0>(triangle), box.size[0]) ||
+        misses(range_along<1>(triangle), box.size[1]) || misses(range_along<2>(triangle), box.size[2]))
       continue;
-    for_each_slab(triangle, &Vec3::x, box.size[0], [&](int i, const Polygon& slab) {
-      for_each_slab(slab, &Vec3::y, box.size[1], [&](int j, const Polygon& column) {
+    for_each_slab<0>(triangle, box.size[0], [&](int i, const Polygon& slab) {
+      for_each_slab<1>(slab, box.size[1], [&](int j, const Polygon& column) {
         float* row = cells + (std::size_t(i) * std::size_t(box.size[1]) + std::size_t(j)) * row_stride;
-        for_each_slab(column, &Vec3::z, box.size[2], [&](int k, const Polygon& piece) {
+        for_each_slab<2>(column, box.size[2], [&](int k, const Polygon& piece) {
           const ProjectedIntegral sum = project(piece);
           const double covered = sum.height - sum.area * k;
           row[k] += float(covered);

@@ -16,8 +16,8 @@ double small_edge(Exactness exactness)
 {
   switch (exactness) {
     case Exactness::exact: return 0;
-    case Exactness::balanced: return 0.75;
-    case Exactness::fast: return 1.5;
+    case Exactness::balanced: return 1;
+    case Exactness::fast: return 2;
   }
   return 0;
 }

@@ -19,8 +19,8 @@ constexpr int kernel_margin = 4;
 constexpr double largest_grid = 1 << 30;
 /// Edges of tiles that are tried. FFTW's estimated plans are fastest for powers of two (see slowdown()).
 constexpr int tile_edges[] = {16, 32, 64, 128, 256, 512};
-/// Vertices looked at to estimate how many tiles of a shape are needed; a tile serves hundreds at usual steps.
-constexpr std::size_t sampled_vertices = 50000;
+/// Vertices looked at to estimate how many tiles of a shape are needed, where that gives each tile this many of them.
+constexpr std::size_t sampled_vertices = 50000, samples_per_tile = 20;
 
 constexpr const char* coarser_advice =
     "Lower fft_cells_per_radius, raise r_min, raise the memory limit, or use the surface integral engine, which needs no grid.";
@@ -102,6 +102,15 @@ std::vector<TileIndex> occupied_tiles(const Surface& surface, const VoxelGrid& g
   return tiles;
 }
 
+/// Number of occupied tiles, from a sample of the vertices where tiles are large enough for that.
+std::size_t estimated_tiles(const Surface& surface, const VoxelGrid& grid, const TileShape& shape)
+{
+  const std::size_t stride = std::max<std::size_t>(1, surface.vertex_count() / sampled_vertices);
+  const std::size_t found = occupied_tiles(surface, grid, shape, stride).size();
+  if (stride == 1 || found * samples_per_tile < surface.vertex_count() / stride) return found;
+  return occupied_tiles(surface, grid, shape, 1).size();
+}
+
 struct Bounds {
   Vec3 low, high;
 };
@@ -135,7 +144,6 @@ Extent extent_in_cells(const Bounds& bounds, const VoxelGrid& grid)
 TileShape cheapest_shape(const Surface& surface, const VoxelGrid& grid, const Extent& extent, int halo,
                          std::size_t limit)
 {
-  const std::size_t stride = std::max<std::size_t>(1, surface.vertex_count() / sampled_vertices);
   std::size_t least = ~std::size_t(0);
   TileShape best;
   for (const int edge : tile_edges) {
@@ -143,7 +151,7 @@ TileShape cheapest_shape(const Surface& surface, const VoxelGrid& grid, const Ex
     if (shape.size[0] == 0) continue;
     least = std::min(least, worker_bytes(shape));
     if (worker_bytes(shape) > limit) continue;
-    shape.cost = double(occupied_tiles(surface, grid, shape, stride).size()) * transform_cost(shape.size);
+    shape.cost = double(estimated_tiles(surface, grid, shape)) * transform_cost(shape.size);
     if (best.cost == 0 || shape.cost < best.cost) best = shape;
   }
   if (best.cost == 0)
