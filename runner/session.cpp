@@ -219,6 +219,7 @@ void Session::save_current_mesh(const std::string& file, bool ascii)
   int capability = 0, defaults = 0;
   plugin->exportMaskCapability(format, capability, defaults);
   plugin->setLog(&state_->log);
+  if (defaults & Mask::IOM_BITPOLYGONAL) mesh->updateDataMask(MeshModel::MM_FACEFACETOPO);  // what tells polygons apart
   try {
     plugin->save(format, QString::fromStdString(fs::absolute(file).string()), *mesh,
                  saved_fields(*mesh, capability, defaults), save_parameters(*plugin, format, *mesh, ascii), &show_progress);

@@ -54,7 +54,7 @@ TEST_P(EveryHost, RefusesBadInputWithASentenceAndSavesNothing)
 {
   const HostRun run = run_script(host_, folder_ / "mesh.ply", with_value(exporting(), "scales", "0"), folder_ / "saved.ply");
   EXPECT_NE(run.status, 0);
-  EXPECT_LT(run.status, 128);
+  EXPECT_TRUE(run.status < 128 || run.status == 255) << "ended by a signal: " << run.status;
   EXPECT_NE(run.log.find("'scales'"), std::string::npos) << run.log;
   EXPECT_FALSE(fs::exists(folder_ / "saved.ply"));
   EXPECT_FALSE(fs::exists(folder_ / "export.ply"));
