@@ -139,9 +139,9 @@ std::vector<ParameterSpec> method_rows()
           {"Smoothing passes", "How often the radius is smoothed.", "[Lai09] eq. 9"}),
       real<&P::fft_cells_per_radius>("fft_cells_per_radius", "cells",
           {limits::min_cells_per_radius, limits::max_cells_per_radius},
-          {"Grid cells per smallest radius",
-           "Volume engine: the step of the grid is the smallest radius over this. Twice as many take about four to eight "
-           "times as long.", "[Pottmann07], [Lai09] 4.1"}),
+          {"Grid cells per radius",
+           "Volume engine: each scale has a grid whose step is its radius over this, so the finest step is the smallest "
+           "radius over it. Twice as many take about four to eight times as long.", "[Pottmann07], [Lai09] 4.1"}),
       choice<&P::exactness>("exactness", {"Fast", "Balanced", "Exact"},
           {"Exactness", "Surface engine: how closely the sums follow the exact integrals."}),
       boolean<&P::same_sheet>("same_sheet",

@@ -47,7 +47,6 @@ void expect_directions(const char* name, const std::vector<Vec3>& actual, const 
 
 std::string build_folder() { return environment("II_BUILD", II_BUILD_FOLDER); }
 std::string source_folder() { return II_SOURCE_FOLDER; }
-std::string models_folder() { return environment("II_MODELS", source_folder() + "/../shared/models"); }
 
 Host find_host(const std::string& release)
 {

@@ -13,8 +13,6 @@ namespace test_support {
 /// Where the build is, and the private MeshLab in it.
 std::string build_folder();
 std::string source_folder();
-/// The test models: II_MODELS, or shared/models beside the project.
-std::string models_folder();
 
 /// A MeshLab release that can run filter scripts without a window: 2020.09 by its meshlabserver, later ones by the
 /// project's runner.

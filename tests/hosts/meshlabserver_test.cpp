@@ -8,6 +8,7 @@
 
 #include "hosts/host.h"
 #include "parameter_table.h"
+#include "support/models.h"
 #include "support/shapes.h"
 
 namespace test_support {

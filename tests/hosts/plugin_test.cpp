@@ -194,10 +194,19 @@ TEST_F(Plugin, MeshesItCannotMeasureAreRefused)
 {
   MeshDocument document;
   add_sphere(document, false);
-  expect_refusal(document, defaults(document), "boundary edges");
+  RichParameterList voxels = defaults(document);
+  voxels.setValue("engine", EnumValue(0));
+  expect_refusal(document, voxels, "boundary edges");
   for (CFaceO& face : document.mm()->cm.face)
     if (!face.IsD()) vcg::tri::Allocator<CMeshO>::DeleteFace(document.mm()->cm, face);
   EXPECT_FALSE(apply(document, defaults(document)));
+}
+
+TEST_F(Plugin, MeasuresAnOpenMeshByDefault)
+{
+  MeshDocument document;
+  add_sphere(document, false);
+  EXPECT_TRUE(apply(document, defaults(document))) << filter_->errorMsg().toStdString();
 }
 
 TEST_F(Plugin, ObeysACallbackThatSaysStop)

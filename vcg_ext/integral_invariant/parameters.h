@@ -43,7 +43,7 @@ inline constexpr int max_threads = 1024;
 /// Everything that a run can be asked. Lengths are in the unit of the mesh; 0 means automatic where it says so.
 struct Parameters {
   RadiusChoice radius_choice = RadiusChoice::feature_adapted;
-  EngineKind engine = EngineKind::volume_fft;
+  EngineKind engine = EngineKind::surface_integral;
 
   int scales = 8;                                  ///< number of radii n, 1 to 32
   ScaleSpacing spacing = ScaleSpacing::linear;

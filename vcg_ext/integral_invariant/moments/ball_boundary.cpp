@@ -42,7 +42,11 @@ BallMoments ball_moments(const MomentSums& flux, const ArcTerms& arcs, double ha
   // 3 flux / r³ + area is 4π times the solid share of the ball, and the area is known modulo 4π.
   const double flux_area = 3 * flux.volume / r3;
   double solid = std::fmod(flux_area - 2 * half_area, 4 * pi);
+  if (!std::isfinite(solid)) return {};
   if (solid < 0) solid += 4 * pi;
+  // Nothing and the whole ball differ by rounding only (a sheet with two sides, say): nothing, which has no direction.
+  constexpr double rounding = 1e-9;
+  if (solid > 4 * pi - rounding) solid -= 4 * pi;
   const double area = solid - flux_area;
 
   BallMoments moments;

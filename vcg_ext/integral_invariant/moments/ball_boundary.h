@@ -32,8 +32,8 @@ class ArcSums {
 };
 
 /// Moments of the ball from the sum of all fluxes through its plane pieces and the arcs of its spherical part.
-/// Of the values that the area modulo 4π allows, the one that gives a volume between nothing and the whole ball; where
-/// the volume is so near to either that both will do, the one nearer to `solid_angle`, the share seen by the vertex itself.
+/// `half_area` is half of the area about the pole of all arcs; of the values that it allows modulo 2π, the one is taken
+/// that gives a volume between nothing and the whole ball.
 BallMoments ball_moments(const MomentSums& flux, const ArcTerms& arcs, double half_area, double radius);
 
 }  // namespace integral_invariant

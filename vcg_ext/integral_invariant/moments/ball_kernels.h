@@ -23,7 +23,7 @@ void place_points(const double* x, const double* y, const double* z, std::size_t
 /// Corners that one sphere cuts off triangles, in columns: the lone vertex a, and b and c in the triangle's order.
 class CornerBatch {
  public:
-  static constexpr std::size_t lanes = 8, capacity = 128;
+  static constexpr std::size_t lanes = 8, capacity = 64;
 
   bool is_full() const { return count_ == capacity; }
   std::size_t count() const { return count_; }
@@ -56,6 +56,6 @@ struct CornerSums {
 /// Adds the batch's corners and empties it. `wide`: some chord may be longer than `longest_narrow_chord` radii.
 void add_corners(CornerBatch& batch, double radius, const Vec3& pole, bool wide, CornerSums& sums);
 
-inline constexpr double longest_narrow_chord = 0.765;
+inline constexpr double longest_narrow_chord = 1.0;
 
 }  // namespace integral_invariant

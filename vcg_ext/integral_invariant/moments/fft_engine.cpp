@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <condition_variable>
-#include <mutex>
 #include <sstream>
 
 #include "integral_invariant/moments/ball_kernel.h"
@@ -15,6 +13,7 @@
 #include "integral_invariant/moments/grid_interpolation.h"
 #include "integral_invariant/moments/scan_conversion.h"
 #include "integral_invariant/moments/tile_layout.h"
+#include "integral_invariant/moments/workspace_pool.h"
 #include "integral_invariant/support/error.h"
 #include "integral_invariant/support/memory.h"
 
@@ -25,59 +24,24 @@ namespace {
 /// Cells along x that are scan-converted in one go; fixed, so that rounding does not depend on the threads.
 constexpr int slab_width = 16;
 
-/// A tile in work: its transform and what is read at its vertices.
-struct Workspace {
-  explicit Workspace(const std::array<int, 3>& size) : transform(size), product(size) {}
-  FftBuffer transform, product;
-  std::vector<float> values;  ///< moment_count per vertex of the tile
-};
+/// Most bytes of carry planes at a time: stacks of tiles are worked on in batches that keep to it.
+constexpr std::size_t largest_carries = std::size_t(128) << 20;
 
-/// As many workspaces as memory allows; whoever needs one waits for it.
-class WorkspacePool {
- public:
-  WorkspacePool(const std::array<int, 3>& size, std::size_t count)
-  {
-    for (std::size_t i = 0; i < count; ++i) {
-      all_.push_back(std::make_unique<Workspace>(size));
-      free_.push_back(all_.back().get());
-    }
-  }
+/// Bytes of the plane that holds what lies above one tile.
+std::size_t carry_bytes(const TileLayout& layout)
+{
+  return sizeof(float) * std::size_t(fine_size(layout.shape.size[0])) * std::size_t(fine_size(layout.shape.size[1]));
+}
 
-  /// Calls `use` with a workspace that no other thread has.
-  template <class Use>
-  void lend(const Use& use)
-  {
-    Workspace* workspace = take();
-    try {
-      use(*workspace);
-    } catch (...) {
-      give(workspace);
-      throw;
-    }
-    give(workspace);
-  }
-
- private:
-  Workspace* take()
-  {
-    std::unique_lock lock(mutex_);
-    freed_.wait(lock, [this] { return !free_.empty(); });
-    Workspace* workspace = free_.back();
-    free_.pop_back();
-    return workspace;
-  }
-  void give(Workspace* workspace)
-  {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(workspace);
-    freed_.notify_one();
-  }
-
-  std::vector<std::unique_ptr<Workspace>> all_;
-  std::vector<Workspace*> free_;
-  std::mutex mutex_;
-  std::condition_variable freed_;
-};
+/// Bytes that a radius needs at the least: one worker, its kernels, the carry planes of the highest stack.
+double least_bytes(const TileLayout& layout)
+{
+  std::size_t highest = 0;
+  for (std::size_t s = 0; s < layout.stack_count(); ++s)
+    highest = std::max(highest, layout.stack_start[s + 1] - layout.stack_start[s]);
+  return double(worker_bytes(layout.shape)) + double(BallKernel::bytes(layout.shape.size)) +
+         double(highest) * double(carry_bytes(layout));
+}
 
 /// Everything about one radius that its tiles share.
 class ScalePass {
@@ -85,27 +49,22 @@ class ScalePass {
   ScalePass(const Surface& surface, const TileLayout& layout, int scale, const MomentSink& sink)
       : surface_(surface), layout_(layout), fine_grid_{layout.grid.origin, layout.grid.step / 2}, scale_(scale), sink_(sink),
         transform_(layout.shape.size), kernel_(layout.shape.size, layout.radius_cells),
-        triangles_(tile_triangles(surface, layout)),
+        triangles_(tile_triangles(surface, layout)), stack_triangles_(stack_triangles(surface, layout)),
         rows_(std::size_t(layout.shape.size[1])), row_stride_(FftBuffer::row_stride(layout.shape.size))
   {
   }
 
   void run(Execution& execution, std::size_t memory, double from, double to)
   {
-    find_carries(execution, from, from);
-    const std::size_t tiles = layout_.tiles.size(), threads = std::size_t(execution.threads());
-    if (tiles < 2 * threads) {
-      for (std::size_t tile = 0; tile < tiles; ++tile)
-        run_tile_inside(tile, execution, from + (to - from) * double(tile) / double(tiles),
-                        from + (to - from) * double(tile + 1) / double(tiles));
-      return;
+    const std::size_t most = std::max<std::size_t>(1, std::min(largest_carries, memory / 2) / carry_bytes(layout_));
+    const double tiles = double(layout_.tiles.size());
+    for (std::size_t stack = 0; stack < layout_.stack_count();) {
+      const std::size_t begin = layout_.stack_start[stack], first = stack;
+      while (stack < layout_.stack_count() && (stack == first || layout_.stack_start[stack + 1] - begin <= most)) ++stack;
+      const std::size_t end = layout_.stack_start[stack];
+      run_stacks(first, stack, execution, memory / 2, from + (to - from) * double(begin) / tiles,
+                 from + (to - from) * double(end) / tiles);
     }
-    const std::size_t bytes = worker_bytes(layout_.shape);
-    WorkspacePool pool(layout_.shape.size, std::clamp<std::size_t>(memory / bytes, 1, threads));
-    parallel_for(tiles, 1, execution, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t tile = begin; tile < end; ++tile)
-        pool.lend([&](Workspace& workspace) { run_tile(tile, workspace); });
-    }, from, to);
   }
 
  private:
@@ -119,26 +78,44 @@ class ScalePass {
     }
     return box;
   }
-  std::size_t plane_size() const
+  std::size_t plane_size() const { return carry_bytes(layout_) / sizeof(float); }
+
+  /// All tiles of the stacks [first, last).
+  void run_stacks(std::size_t first, std::size_t last, Execution& execution, std::size_t memory, double from, double to)
   {
-    return std::size_t(fine_size(layout_.shape.size[0])) * std::size_t(fine_size(layout_.shape.size[1]));
+    find_carries(first, last, execution, from, from);
+    const std::size_t begin = layout_.stack_start[first], tiles = layout_.stack_start[last] - begin;
+    const std::size_t threads = std::size_t(execution.threads());
+    if (tiles < 2 * threads) {
+      for (std::size_t tile = 0; tile < tiles; ++tile)
+        run_tile_inside(begin + tile, execution, from + (to - from) * double(tile) / double(tiles),
+                        from + (to - from) * double(tile + 1) / double(tiles));
+      return;
+    }
+    WorkspacePool pool(layout_.shape.size, std::clamp<std::size_t>(memory / worker_bytes(layout_.shape), 1, threads));
+    parallel_for(tiles, 1, execution, [&](std::size_t from_tile, std::size_t to_tile, int) {
+      for (std::size_t tile = from_tile; tile < to_tile; ++tile)
+        pool.lend([&](Workspace& workspace) { run_tile(begin + tile, workspace); });
+    }, from, to);
   }
 
-  void find_carries(Execution& execution, double from, double to)
+  void find_carries(std::size_t first_stack, std::size_t last_stack, Execution& execution, double from, double to)
   {
-    carries_.resize(layout_.tiles.size() * plane_size());
-    const IndexLists triangles = stack_triangles(surface_, layout_);
-    parallel_for(layout_.stack_count(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t stack = begin; stack < end; ++stack) {
+    first_carried_ = layout_.stack_start[first_stack];
+    carries_.resize((layout_.stack_start[last_stack] - first_carried_) * plane_size());
+    parallel_for(last_stack - first_stack, 1, execution, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t stack = first_stack + begin; stack < first_stack + end; ++stack) {
         const std::size_t first = layout_.stack_start[stack];
         std::vector<std::int64_t> tops;
         for (std::size_t tile = first; tile < layout_.stack_start[stack + 1]; ++tile)
           tops.push_back(fine_box(tile).begin[2] + fine_box(tile).size[2]);
-        carry_planes(surface_, fine_grid_, fine_box(first), triangles.row(stack), tops,
-                     carries_.data() + first * plane_size());
+        carry_planes(surface_, fine_grid_, fine_box(first), stack_triangles_.row(stack), tops, carry_of(first));
       }
     }, from, to);
   }
+
+  float* carry_of(std::size_t tile) { return carries_.data() + (tile - first_carried_) * plane_size(); }
+  const float* carry_of(std::size_t tile) const { return carries_.data() + (tile - first_carried_) * plane_size(); }
 
   std::size_t slab_count() const { return std::size_t((layout_.shape.size[0] + slab_width - 1) / slab_width); }
 
@@ -152,7 +129,7 @@ class ScalePass {
     box.size[0] = fine_size(size[0]);
     std::vector<float> fine(std::size_t(box.size[0]) * std::size_t(box.size[1]) * std::size_t(box.size[2]));
     scan_convert(surface_, fine_grid_, box, triangles,
-                 carries_.data() + tile * plane_size() + 2 * std::size_t(offset) * std::size_t(box.size[1]), fine.data(),
+                 carry_of(tile) + 2 * std::size_t(offset) * std::size_t(box.size[1]), fine.data(),
                  std::size_t(box.size[2]));
     decimate(fine, size, buffer.reals() + std::size_t(offset) * rows_ * row_stride_, row_stride_);
   }
@@ -232,7 +209,8 @@ class ScalePass {
   const MomentSink& sink_;
   const RealTransform transform_;
   const BallKernel kernel_;
-  const IndexLists triangles_;
+  const IndexLists triangles_, stack_triangles_;
+  std::size_t first_carried_ = 0;  ///< the tile whose plane carries_ begins with
   std::vector<float> carries_;
   const std::size_t rows_, row_stride_;
 };
@@ -241,7 +219,7 @@ class FftEngine : public MomentEngine {
  public:
   FftEngine(const Surface& surface, const Parameters& parameters)
       : surface_(surface), cells_per_radius_(parameters.fft_cells_per_radius),
-        memory_(memory_limit_bytes(parameters.memory_limit_mb))
+        memory_(memory_limit_bytes(parameters.memory_limit_mb)), memory_limit_mb_(parameters.memory_limit_mb)
   {
   }
 
@@ -249,10 +227,14 @@ class FftEngine : public MomentEngine {
   {
     const std::vector<TileLayout> layouts = make_layouts(radii);
     double total = 0, done = 0;
-    for (const TileLayout& layout : layouts) total += layout.shape.cost;
+    for (const TileLayout& layout : layouts) {
+      total += layout.shape.cost;
+      require_memory(least_bytes(layout), memory_limit_mb_, "The voxel grid (" + std::to_string(layout.tiles.size()) + " tiles)",
+                     "Lower fft_cells_per_radius or raise r_min.");
+    }
     for (std::size_t scale = 0; scale < layouts.size(); ++scale) {
       const double next = done + layouts[scale].shape.cost;
-      ScalePass(surface_, layouts[scale], int(scale), sink).run(execution, memory_ / 2, done / total, next / total);
+      ScalePass(surface_, layouts[scale], int(scale), sink).run(execution, memory_, done / total, next / total);
       done = next;
     }
   }
@@ -278,7 +260,7 @@ class FftEngine : public MomentEngine {
 
   const Surface& surface_;
   const double cells_per_radius_;
-  const std::size_t memory_;
+  const std::size_t memory_, memory_limit_mb_;
 };
 
 }  // namespace

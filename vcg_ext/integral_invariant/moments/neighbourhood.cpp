@@ -3,6 +3,7 @@
 #include "integral_invariant/moments/neighbourhood.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "integral_invariant/moments/ball_kernels.h"
 
@@ -28,8 +29,8 @@ constexpr double rounding = 1e-9;  // of positions in normalised coordinates, wi
 
 }  // namespace
 
-SurfaceTree::SurfaceTree(const Surface& surface)
-    : order_(order_in_space(surface)),
+SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense)
+    : order_(order_in_space(surface, merge_dense)),
       triangles_(order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }),
       free_edges_(order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }),
       is_border_(order_.points.size(), false)
@@ -70,6 +71,19 @@ void Neighbourhood::pad_points()
   z.resize(size, 0.0);
 }
 
+void Neighbourhood::connect_points()
+{
+  neighbour_start.assign(x.size() + 1, 0);
+  for (const LocalCorners& t : corners)
+    for (const std::uint32_t i : t.corner) neighbour_start[i + 1] += 2;
+  std::partial_sum(neighbour_start.begin(), neighbour_start.end(), neighbour_start.begin());
+  neighbours.resize(neighbour_start.back());
+  std::vector<std::uint32_t> next(neighbour_start.begin(), neighbour_start.end() - 1);
+  for (const LocalCorners& t : corners)
+    for (int i = 0; i < 3; ++i)
+      for (const int other : {(i + 1) % 3, (i + 2) % 3}) neighbours[next[t.corner[i]]++] = t.corner[other];
+}
+
 NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii,
                                              double small_edge, bool sum_far)
     : tree_(tree), radii_(radii), small_edge_(small_edge), sum_far_(sum_far), table_(4096, 0)
@@ -85,6 +99,8 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.centre = block_.centre;
   local_.corners.clear();
   local_.triangles.clear();
+  local_.all_small_scale = local_.all_narrow_scale = 0;
+  local_.leaves.clear();
   local_.large.clear();
   local_.free_edges.clear();
   local_.far.assign(radii_.size(), {});
@@ -93,6 +109,7 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   gather_triangles();
   gather_free_edges();
   local_.pad_points();
+  if (!sum_far_) local_.connect_points();
   return local_;
 }
 
@@ -117,8 +134,11 @@ void NeighbourhoodGatherer::gather_triangles()
         return false;
       },
       [&](std::size_t leaf) {
+        const Sphere& sphere = tree_.triangles().levels()[0][leaf];
+        const std::uint32_t begin = std::uint32_t(local_.corners.size());
         for (std::size_t i = tree_.triangles().item_begin(leaf); i < tree_.triangles().item_end(leaf); ++i)
           add_triangle(triangles[i]);
+        local_.leaves.push_back({{sphere.centre - block_.centre, sphere.radius}, begin, std::uint32_t(local_.corners.size())});
       });
 }
 
@@ -136,12 +156,14 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   if (squared_norm(t.centroid) > (reach + t.longest_edge) * (reach + t.longest_edge)) return;
   for (int i = 0; i < 3; ++i) corners.corner[i] = local(std::uint32_t(triangle[i]));
   t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
-  t.spread = outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid);
+  t.spread = (outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid)) * (1.0 / 12);
   corners.first_small_scale = scale_holding(t.longest_edge, small_edge_);
   corners.first_narrow_scale = scale_holding(t.longest_edge, longest_narrow_chord);
   if (corners.first_small_scale > 0 &&
       norm(t.centroid) < radii_[corners.first_small_scale - 1] + block_.radius + t.longest_edge)
     local_.large.push_back(std::uint32_t(local_.corners.size()));
+  local_.all_small_scale = std::max<std::uint32_t>(local_.all_small_scale, corners.first_small_scale);
+  local_.all_narrow_scale = std::max<std::uint32_t>(local_.all_narrow_scale, corners.first_narrow_scale);
   local_.corners.push_back(corners);
   local_.triangles.push_back(t);
 }

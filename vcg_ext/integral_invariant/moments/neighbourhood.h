@@ -15,7 +15,7 @@ namespace integral_invariant {
 /// The mesh in spatial order with hierarchies over its triangles and free edges, and the moments of every node.
 class SurfaceTree {
  public:
-  explicit SurfaceTree(const Surface& surface);
+  SurfaceTree(const Surface& surface, bool merge_dense);
 
   const SpatialOrder& order() const { return order_; }
   const SphereTree& triangles() const { return triangles_; }
@@ -44,8 +44,14 @@ struct LocalCorners {
 /// What the triangle's cone moments about any apex are made of.
 struct LocalTriangle {
   Vec3 centroid, doubled_area;      ///< doubled_area = (b − a) × (c − a)
-  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ over the corners
+  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ / 12 over the corners
   double longest_edge;
+};
+
+/// Consecutive triangles of a neighbourhood and the sphere that holds them.
+struct LocalLeaf {
+  Sphere sphere;
+  std::uint32_t begin, end;
 };
 
 struct LocalFreeEdge {
@@ -61,13 +67,17 @@ struct Neighbourhood {
   std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
   std::vector<LocalCorners> corners;        ///< per triangle
   std::vector<LocalTriangle> triangles;
+  std::uint32_t all_small_scale = 0, all_narrow_scale = 0;  ///< largest of the triangles' first scales
+  std::vector<LocalLeaf> leaves;
   std::vector<std::uint32_t> large;         ///< triangles that a sphere against which they are large may cut
   std::vector<LocalFreeEdge> free_edges;
+  std::vector<std::uint32_t> neighbour_start, neighbours;  ///< points along triangle edges; only where asked for
   std::vector<FluxMoments> far;             ///< per scale from which on they are inside; about `centre`
   std::vector<char> has_far;
 
   Vec3 point(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
   void pad_points();
+  void connect_points();
 };
 
 /// Gathers neighbourhoods one after the other into the same memory.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -70,18 +71,41 @@ std::vector<Key> sorted_keys(const Surface& surface)
   return keys;
 }
 
-/// Fills points and vertices; returns the point of every vertex.
-std::vector<std::uint32_t> merge_places(const Surface& surface, SpatialOrder& order)
+/// Where a cell of about an edge's length holds more vertices than this, they are merged over cells of 1/32 of it: no ball
+/// sees such detail, and without a bound on the density a fan of n triangles costs n².
+constexpr std::size_t dense_cell = 1000;
+constexpr int merged_levels = 5;
+
+/// Per key, how many low bits of the curve's index are ignored when vertices are merged.
+std::vector<int> merged_bits(const Surface& surface, const std::vector<Key>& keys)
 {
+  const double edges_across = std::max(1.0, surface.diagonal());  // the average edge is 1
+  const int level = std::clamp(int(std::log2(edges_across)), 0, curve_bits - merged_levels);
+  const int cell_bits = 3 * (curve_bits - level);
+  std::vector<int> bits(keys.size(), 0);
+  for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
+    while (end < keys.size() && keys[end].index >> cell_bits == keys[begin].index >> cell_bits) ++end;
+    if (end - begin > dense_cell)
+      std::fill(bits.begin() + std::ptrdiff_t(begin), bits.begin() + std::ptrdiff_t(end), cell_bits - 3 * merged_levels);
+  }
+  return bits;
+}
+
+/// Fills points and vertices; returns the point of every vertex.
+std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense, SpatialOrder& order)
+{
+  const std::vector<Key> keys = sorted_keys(surface);
+  const std::vector<int> bits = merge_dense ? merged_bits(surface, keys) : std::vector<int>(keys.size(), 0);
   std::vector<std::uint32_t> point_of(surface.vertex_count(), 0);
-  for (const Key& key : sorted_keys(surface)) {
-    const Vec3& position = surface.positions()[key.vertex];
-    if (order.points.empty() || !(order.points.back() == position)) {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Vec3& position = surface.positions()[keys[i].vertex];
+    const bool is_same_cell = i > 0 && bits[i] > 0 && keys[i].index >> bits[i] == keys[i - 1].index >> bits[i];
+    if (i == 0 || !(is_same_cell || order.points.back() == position)) {
       order.points.push_back(position);
       order.vertex_start.push_back(std::uint32_t(order.vertices.size()));
     }
-    order.vertices.push_back(key.vertex);
-    point_of[key.vertex] = std::uint32_t(order.points.size() - 1);
+    order.vertices.push_back(keys[i].vertex);
+    point_of[keys[i].vertex] = std::uint32_t(order.points.size() - 1);
   }
   order.vertex_start.push_back(std::uint32_t(order.vertices.size()));
   return point_of;
@@ -173,10 +197,10 @@ void find_free_edges(SpatialOrder& order)
 
 }  // namespace
 
-SpatialOrder order_in_space(const Surface& surface)
+SpatialOrder order_in_space(const Surface& surface, bool merge_dense)
 {
   SpatialOrder order;
-  order_triangles(surface, merge_places(surface, order), order);
+  order_triangles(surface, merge_places(surface, merge_dense, order), order);
   find_normals(order);
   find_free_edges(order);
   return order;

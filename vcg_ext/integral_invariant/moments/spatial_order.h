@@ -28,7 +28,8 @@ struct SpatialOrder {
   std::vector<FreeEdge> free_edges;          ///< sorted by their smaller point
 };
 
-/// Cost O(n log n), about 100 bytes a vertex for the result.
-SpatialOrder order_in_space(const Surface& surface);
+/// Cost O(n log n), about 100 bytes a vertex for the result. `merge_dense`: where more than a thousand vertices lie within
+/// an average edge's length, those within 1/32 of it count as one.
+SpatialOrder order_in_space(const Surface& surface, bool merge_dense);
 
 }  // namespace integral_invariant

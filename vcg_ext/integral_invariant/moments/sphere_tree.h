@@ -21,7 +21,7 @@ Sphere bounding_sphere(const Sphere* spheres, std::size_t count);
 /// Leaves hold `leaf_size` consecutive items, nodes `fan_out` consecutive nodes of the level below; level 0 are the leaves.
 class SphereTree {
  public:
-  static constexpr std::size_t leaf_size = 16, fan_out = 4;
+  static constexpr std::size_t leaf_size = 8, fan_out = 4;
 
   SphereTree() = default;
   /// `item_sphere(i)` bounds item i. Cost O(count).

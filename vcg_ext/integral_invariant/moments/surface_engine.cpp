@@ -6,25 +6,26 @@
 
 #include "integral_invariant/moments/ball_evaluator.h"
 #include "integral_invariant/moments/neighbourhood.h"
+#include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
 
 namespace {
 
-/// Longest edge, in radii, up to which a triangle's circular segments are left out.
+/// Longest edge, in radii, up to which a triangle's circular segments are left out (measured: docs/surface_engine.md).
 double small_edge(Exactness exactness)
 {
   switch (exactness) {
     case Exactness::exact: return 0;
-    case Exactness::balanced: return 1;
-    case Exactness::fast: return 2;
+    case Exactness::balanced: return 1.5;
+    case Exactness::fast: return 3;
   }
   return 0;
 }
 
 class SurfaceEngine : public MomentEngine {
  public:
-  SurfaceEngine(const Surface& surface, const Parameters& parameters) : parameters_(parameters), tree_(surface)
+  SurfaceEngine(const Surface& surface, const Parameters& parameters) : parameters_(parameters), tree_(surface, parameters.exactness != Exactness::exact)
   {
     split_into_blocks();
   }
@@ -40,7 +41,7 @@ class SurfaceEngine : public MomentEngine {
       std::unique_ptr<Worker>& w = workers[std::size_t(worker)];
       if (!w)
         w.reset(new Worker{{tree_, radii, small_edge(parameters_.exactness), !parameters_.same_sheet},
-                           BallEvaluator(radii)});
+                           BallEvaluator(radii, parameters_.same_sheet)});
       for (std::size_t block = begin; block < end; ++block)
         evaluate_block(blocks_[block], blocks_[block + 1], w->gatherer, w->evaluator, sink);
     });
@@ -48,15 +49,16 @@ class SurfaceEngine : public MomentEngine {
 
   std::string description(const std::vector<double>&, const Execution&) const override
   {
-    return "surface integral over " + std::to_string(tree_.order().triangles.size()) + " triangles";
+    return "surface integral over " + std::to_string(tree_.order().triangles.size()) + " triangles, " +
+           std::to_string(tree_.order().free_edges.size()) + " free edges";
   }
 
  private:
   /// Runs of points along the curve that stay together: what one ball of the block touches, the others touch too.
   void split_into_blocks()
   {
-    constexpr std::size_t largest_block = 32;
-    constexpr double largest_extent = 5;  // edges
+    constexpr std::size_t largest_block = 64;
+    constexpr double largest_extent = 8;  // edges
     const std::vector<Vec3>& points = tree_.order().points;
     Vec3 low, high;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -96,6 +98,11 @@ class SurfaceEngine : public MomentEngine {
 
 std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters)
 {
+  // Measured: places, order, hierarchy with its moments, and the lists that sorting needs meanwhile.
+  constexpr double bytes_per_vertex = 140, bytes_per_triangle = 60;
+  require_memory(bytes_per_vertex * double(surface.vertex_count()) + bytes_per_triangle * double(surface.triangles().size()),
+                 parameters.memory_limit_mb, "The surface engine for " + std::to_string(surface.triangles().size()) +
+                 " triangles", "Reduce the number of triangles");
   return std::make_unique<SurfaceEngine>(surface, parameters);
 }
 
