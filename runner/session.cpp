@@ -108,7 +108,7 @@ int saved_fields(const MeshModel& mesh, int capability, int format_defaults)
       {MeshModel::MM_VERTRADIUS, Mask::IOM_VERTRADIUS},     {MeshModel::MM_VERTTEXCOORD, Mask::IOM_VERTTEXCOORD},
       {MeshModel::MM_WEDGTEXCOORD, Mask::IOM_WEDGTEXCOORD}, {MeshModel::MM_FACECOLOR, Mask::IOM_FACECOLOR},
       {MeshModel::MM_FACEQUALITY, Mask::IOM_FACEQUALITY}};
-  int mask = (format_defaults | Mask::IOM_VERTNORMAL) & ~Mask::IOM_CAMERA;  // the camera is nobody's: there is no window
+  int mask = format_defaults & ~Mask::IOM_CAMERA;  // the camera is nobody's: there is no window
   for (const auto& [in_mesh, in_file] : fields)
     mask = mesh.hasDataMask(in_mesh) ? mask | in_file : mask & ~in_file;
   return mask & capability;
