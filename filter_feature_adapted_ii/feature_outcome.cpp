@@ -99,7 +99,7 @@ FeatureOutcome crest_lines(const TriangleMesh& mesh, const Request& request, con
       find_crest_lines(measured.surface, curvature_field(measured.result), request.crest, measured.execution);
 
   FeatureOutcome outcome;
-  outcome.lines = crest_layer(mesh, measured.result, lines, request.output.colorize);
+  outcome.lines = crest_layer(mesh, measured.result, lines, {request.output.colorize, request.layer.lift});
   double ridge_length = 0, valley_length = 0;
   for (const CrestLine& line : lines) (line.kind == FeatureKind::ridge ? ridge_length : valley_length) += line.length;
   outcome.values = {{"lines", int(lines.size())}, {"ridge_length", ridge_length}, {"valley_length", valley_length},
@@ -119,13 +119,13 @@ FeatureOutcome principal_directions(const TriangleMesh& mesh, const Request& req
   Measured measured(mesh, request, progress);
   measured.execution.begin_stage("directions", 100);
   const CurvatureField field = curvature_field(measured.result);
-  const bool colorize = request.output.colorize;
+  const LineStyle style{request.output.colorize, request.layer.lift};
 
   FeatureOutcome outcome;
   std::string found;
   if (request.layer.style == DirectionStyle::segments) {
     const auto segments = direction_segments(measured.surface, field, p);
-    outcome.lines = segment_layer(mesh, measured.result, segments, colorize);
+    outcome.lines = segment_layer(mesh, measured.result, segments, style);
     outcome.values = {{"lines", int(segments.size())}};
     found = "Drawn: " + std::to_string(segments.size()) + " segments";
   } else {
@@ -136,7 +136,7 @@ FeatureOutcome principal_directions(const TriangleMesh& mesh, const Request& req
       length += line.length;
       closed += line.closed;
     }
-    outcome.lines = curvature_line_layer(mesh, measured.result, lines, colorize);
+    outcome.lines = curvature_line_layer(mesh, measured.result, lines, style);
     outcome.values = {{"lines", int(lines.size())}, {"closed_lines", closed}, {"length", length}};
     found = "Traced: " + std::to_string(lines.size()) + " lines, " + std::to_string(closed) + " of them closed, " +
             short_number(length) + " long together";

@@ -30,6 +30,13 @@ std::vector<ParameterSpec> curvature_source_rows()
                       "memory_limit_mb", "threads"});
 }
 
+ParameterSpec line_lift()
+{
+  return real<&LayerOptions::lift>("lift", "average edges", {0, 1},
+      {"Height over the surface (edges)",
+       "Lines stand this many average edge lengths above the surface, so that it does not hide them. 0: on it."});
+}
+
 ParameterSpec line_export()
 {
   return save_file("export_file",
@@ -86,6 +93,7 @@ std::vector<ParameterSpec> crest_line_rows()
       integer<&C::smoothing_passes>("field_smoothing_passes", "", {0, most_passes},
           {"Smoothing of the curvatures", "How often curvatures are averaged over the mesh before lines are looked for."}),
       boolean<&O::colorize>("colorize", {"Colour the lines", "Ridges red, valleys blue."}),
+      line_lift(),
       line_export(),
   }, curvature_source_rows());
 }
@@ -112,6 +120,7 @@ std::vector<ParameterSpec> direction_rows()
       integer<&D::smoothing_passes>("field_smoothing_passes", "", {0, most_passes},
           {"Smoothing of the curvatures", "How often curvatures are averaged over the mesh before lines are traced."}),
       boolean<&O::colorize>("colorize", {"Colour the lines", "Maximal curvature red, minimal curvature blue."}),
+      line_lift(),
       line_export(),
   }, curvature_source_rows());
 }

@@ -8,7 +8,8 @@ namespace {
 
 class LayerBuilder {
  public:
-  LayerBuilder(const char* label, bool colorize) : colorize_(colorize)
+  LayerBuilder(const char* label, const LineStyle& style, double average_edge)
+      : colorize_(style.colorize), lift_(style.lift * average_edge)
   {
     layer_.label = label;
     layer_.attributes = {{"ii_line", {}}, {"ii_kind", {}}, {"ii_strength", {}}};
@@ -25,8 +26,8 @@ class LayerBuilder {
   {
     const std::int32_t index = std::int32_t(layer_.positions.size());
     if (index > start_) layer_.edges.push_back({index - 1, index});
-    layer_.positions.push_back(position);
     layer_.normals.push_back(normalized(normal));
+    layer_.positions.push_back(position + layer_.normals.back() * lift_);
     layer_.quality.push_back(strength);
     if (colorize_) layer_.colors.push_back(first_kind_ ? first_color : second_color);
     layer_.attributes[0].values.push_back(float(line_));
@@ -45,15 +46,17 @@ class LayerBuilder {
  private:
   LineLayer layer_;
   bool colorize_, first_kind_ = true;
+  double lift_;  // in the caller's unit
   int line_ = -1;
   std::int32_t start_ = 0;
 };
 
 }  // namespace
 
-LineLayer crest_layer(const TriangleMesh& mesh, const Result& result, const std::vector<CrestLine>& lines, bool colorize)
+LineLayer crest_layer(const TriangleMesh& mesh, const Result& result, const std::vector<CrestLine>& lines,
+                      const LineStyle& style)
 {
-  LayerBuilder builder("Crest lines", colorize);
+  LayerBuilder builder("Crest lines", style, result.average_edge);
   for (const CrestLine& line : lines) {
     builder.begin_line(line.kind == FeatureKind::ridge);
     for (const SurfacePoint& p : line.points)
@@ -64,9 +67,9 @@ LineLayer crest_layer(const TriangleMesh& mesh, const Result& result, const std:
 }
 
 LineLayer curvature_line_layer(const TriangleMesh& mesh, const Result& result, const std::vector<CurvatureLine>& lines,
-                               bool colorize)
+                               const LineStyle& style)
 {
-  LayerBuilder builder("Lines of curvature", colorize);
+  LayerBuilder builder("Lines of curvature", style, result.average_edge);
   for (const CurvatureLine& line : lines) {
     const bool maximal = line.family == DirectionFamily::maximal;
     builder.begin_line(maximal);
@@ -79,9 +82,9 @@ LineLayer curvature_line_layer(const TriangleMesh& mesh, const Result& result, c
 }
 
 LineLayer segment_layer(const TriangleMesh& mesh, const Result& result, const std::vector<DirectionSegment>& segments,
-                        bool colorize)
+                        const LineStyle& style)
 {
-  LayerBuilder builder("Principal directions", colorize);
+  LayerBuilder builder("Principal directions", style, result.average_edge);
   for (const DirectionSegment& segment : segments) {
     const auto v = std::size_t(segment.vertex);
     const bool maximal = segment.family == DirectionFamily::maximal;

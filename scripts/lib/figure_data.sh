@@ -40,10 +40,6 @@ make_buddha() {
 
 compute_figure_data() {
   three_radii armadillo "$armadillo" 2 8
-  once armadillo_unsmoothed "$armadillo" "r_min=$(in_edges "$armadillo" 2)" "r_max=$(in_edges "$armadillo" 8)" \
-    smooth_radius=false
-  once armadillo_smoothed "$armadillo" "r_min=$(in_edges "$armadillo" 2)" "r_max=$(in_edges "$armadillo" 8)" \
-    smoothing_passes=10
   three_radii armadillo_directions "$armadillo" 2 8 --filter create_principal_direction_layer style=1 maximal=true \
     "spacing=$(in_edges "$armadillo" 1.6)" "segment_length=$(in_edges "$armadillo" 1.5)" umbilic=0
   three_radii armadillo_features "$armadillo" 2 8 --filter select_ridges_and_valleys_by_curvature high_percentile=92 \
@@ -55,6 +51,10 @@ compute_figure_data() {
   three_radii lucy "$lucy" 2 8
   make_buddha
   three_radii buddha_noisy_curvature "$data/buddha_noisy.ply" 3 10
+  once buddha_noisy_unsmoothed "$data/buddha_noisy.ply" "r_min=$(in_edges "$data/buddha_noisy.ply" 3)" \
+    "r_max=$(in_edges "$data/buddha_noisy.ply" 10)" smooth_radius=false
+  once buddha_noisy_smoothed "$data/buddha_noisy.ply" "r_min=$(in_edges "$data/buddha_noisy.ply" 3)" \
+    "r_max=$(in_edges "$data/buddha_noisy.ply" 10)" smoothing_passes=10
   once buddha_clean_curvature "$data/buddha_small.ply" "r_min=$(in_edges "$data/buddha_small.ply" 3)" \
     "r_max=$(in_edges "$data/buddha_small.ply" 10)"
   once times_armadillo_surface "$armadillo" engine=1
