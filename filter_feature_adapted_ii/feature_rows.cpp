@@ -27,7 +27,7 @@ std::vector<ParameterSpec> joined(std::vector<ParameterSpec> rows, const std::ve
 std::vector<ParameterSpec> curvature_source_rows()
 {
   return shared_rows({"radius_choice", "scales", "r_min", "r_max", "radius", "engine", "alpha", "smooth_radius",
-                      "memory_limit_mb", "threads"});
+                      "memory_limit_mb"});
 }
 
 ParameterSpec line_lift()
@@ -146,7 +146,7 @@ std::vector<ParameterSpec> signature_rows()
            "Writes the mesh with the whole signature: ii_volume_1, ii_mean_1, ii_difference_1 and so on for every scale, "
            "and quality and colour. Empty: no file."}),
   }, shared_rows({"scales", "r_min", "r_max", "scale_spacing", "engine", "fft_cells_per_radius", "exactness",
-                  "memory_limit_mb", "threads"}));
+                  "memory_limit_mb"}));
 }
 
 }  // namespace integral_invariant::filter

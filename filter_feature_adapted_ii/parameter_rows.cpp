@@ -72,8 +72,6 @@ std::vector<ParameterSpec> method_rows()
            "Surface engine: use only the piece of surface that is connected to the vertex inside the ball, for thin walls."}),
       integer<&P::memory_limit_mb>("memory_limit_mb", "MB", {0, largest_int},
           {"Memory limit (MB; 0: automatic)", "The most memory that may be used; 0: half of the machine's."}),
-      integer<&P::threads>("threads", "", {0, limits::max_threads},
-          {"Threads (0: all)", "How many processors are used; 0: all. The result is the same with any number."}),
   };
 }
 

@@ -54,7 +54,12 @@ void store_from_text(const ParameterSpec& spec, const std::string& text, Request
 /// The number that a person typed when a host kept it in single precision: 0.9, not 0.89999998. All hosts then compute
 /// with the same parameters, to the bit.
 double as_typed(float value);
-inline double as_typed(double value) { return value; }
+/// PyMeshLab computes in double precision, but hands many parameters on in single.
+inline double as_typed(double value)
+{
+  const float single = static_cast<float>(value);
+  return static_cast<double>(single) == value ? as_typed(single) : value;
+}
 
 /// The shortest text that reads back as `value`.
 std::string number_text(double value);

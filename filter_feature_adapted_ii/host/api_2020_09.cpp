@@ -27,7 +27,7 @@ QString FilterFeatureAdaptedIIPlugin::filterName(FilterIDType type) const { retu
 /// 2020.09's dialog neither scrolls nor is lower than its content: a wide text keeps its buttons on the screen.
 QString FilterFeatureAdaptedIIPlugin::filterInfo(FilterIDType type) const
 {
-	return QString("<table width=\"940\"><tr><td>%1</td></tr></table>").arg(ii::filter_facts(filter_of(type)).help);
+	return QString("<table width=\"1200\"><tr><td>%1</td></tr></table>").arg(ii::filter_facts(filter_of(type)).help);
 }
 
 QString FilterFeatureAdaptedIIPlugin::filterScriptFunctionName(FilterIDType type)

@@ -143,6 +143,10 @@ TEST(ParameterTable, SinglePrecisionIsReadAsTyped)
 {
   for (const double typed : {0.9, 0.1, 1e-3, 0.05, 123.456, 1e-20, 0.0}) EXPECT_EQ(as_typed(float(typed)), typed);
   EXPECT_TRUE(std::isnan(as_typed(std::numeric_limits<float>::quiet_NaN())));
+  for (const double typed : {0.9, 0.1, 123.456}) {
+    EXPECT_EQ(as_typed(typed), typed);
+    EXPECT_EQ(as_typed(double(float(typed))), typed);
+  }
 }
 
 }  // namespace
