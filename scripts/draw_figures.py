@@ -125,6 +125,7 @@ def title_strip(title, width):
     text = rc.caption(title, (0.5, 0.9), (width, TITLE_HEIGHT), 0)
     text.GetTextProperty().SetFontSize(int(rc.SUPERSAMPLING * 15))
     text.GetTextProperty().SetJustificationToCentered()
+    text.GetTextProperty().SetVerticalJustificationToTop()
     renderer.AddActor2D(text)
     return pixels_of([renderer], (width, TITLE_HEIGHT))
 
@@ -142,6 +143,8 @@ def legend(table, name, unit, height):
     renderer.AddActor2D(bar)
     text = rc.caption(f"{name}\n{unit}", (0.97, 0.92), pixels, 0)
     text.GetTextProperty().SetFontSize(int(rc.SUPERSAMPLING * 15))
+    text.GetTextProperty().SetJustificationToRight()
+    text.GetTextProperty().SetVerticalJustificationToTop()
     renderer.AddActor2D(text)
     return pixels_of([renderer], size)
 

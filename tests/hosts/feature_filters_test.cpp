@@ -21,7 +21,8 @@ using filter::FilterId;
 
 const Vec3 axes{2, 1.4, 0.8};
 
-class FeatureFilters : public testing::Test {
+/// In each release, by its own name.
+class FeatureFilters : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override
   {
@@ -34,9 +35,15 @@ class FeatureFilters : public testing::Test {
     return run_script(host_, folder_ / "mesh.ply", filter_script(assignments, filter), saved.empty() ? "" : folder_ / saved);
   }
 
-  const Host host_ = find_host("2020.09");
+  const Host host_ = find_host(GetParam());
   const TemporaryFolder folder_;
 };
+
+INSTANTIATE_TEST_SUITE_P(Releases, FeatureFilters, testing::Values("2020.09", "2022.02", "2025.07"), [](const auto& tested) {
+  std::string name = tested.param;
+  name[4] = '_';
+  return name;
+});
 
 /// Lines that begin so.
 std::size_t count_lines(const std::string& file, const std::string& start)
@@ -47,7 +54,7 @@ std::size_t count_lines(const std::string& file, const std::string& start)
   return count;
 }
 
-TEST_F(FeatureFilters, CrestLinesAreTheCoresAndMeshLabSavesTheirEdges)
+TEST_P(FeatureFilters, CrestLinesAreTheCoresAndMeshLabSavesTheirEdges)
 {
   // Without symmetry: on it the derivative is rounding, and so is the side of an edge that a line passes.
   const TriangleMesh mesh = with_tangential_jitter(ellipsoid(4, axes), 0.02);
@@ -72,7 +79,7 @@ TEST_F(FeatureFilters, CrestLinesAreTheCoresAndMeshLabSavesTheirEdges)
   EXPECT_EQ(count_lines(folder_ / "crest.obj", "f "), 0u);
 }
 
-TEST_F(FeatureFilters, DirectionsAreDrawnAsLinesAndAsSegments)
+TEST_P(FeatureFilters, DirectionsAreDrawnAsLinesAndAsSegments)
 {
   const TriangleMesh mesh = torus(1, 0.4, 80, 32);
   HostRun result = run(FilterId::principal_directions, mesh, {"spacing=0.2", "minimal=true"}, "lines.obj");
@@ -85,7 +92,7 @@ TEST_F(FeatureFilters, DirectionsAreDrawnAsLinesAndAsSegments)
   EXPECT_EQ(count_lines(folder_ / "segments.obj", "v "), 2 * count_lines(folder_ / "segments.obj", "l "));
 }
 
-TEST_F(FeatureFilters, RidgesAreColouredAndLaterStepsSeeThem)
+TEST_P(FeatureFilters, RidgesAreColouredAndLaterStepsSeeThem)
 {
   const TriangleMesh mesh = box_with_ridge(2.5, 1, 0.06, 1.237, 0.3, 0.3);
   write_ply(folder_ / "mesh.ply", mesh);
@@ -110,7 +117,7 @@ TEST_F(FeatureFilters, RidgesAreColouredAndLaterStepsSeeThem)
   EXPECT_GT(selected, 100u);
 }
 
-TEST_F(FeatureFilters, SignatureIsTheCores)
+TEST_P(FeatureFilters, SignatureIsTheCores)
 {
   const TriangleMesh mesh = torus(1, 0.4, 60, 30);
   const HostRun result = run(FilterId::signature, mesh, {"scales=3", "scale=2", "export_file=" + (folder_ / "sig.ply")});
@@ -127,7 +134,7 @@ TEST_F(FeatureFilters, SignatureIsTheCores)
   EXPECT_EQ(exported.triangles, mesh.triangles);
 }
 
-TEST_F(FeatureFilters, RefuseWithASentence)
+TEST_P(FeatureFilters, RefuseWithASentence)
 {
   const TriangleMesh mesh = torus(1, 0.4, 20, 10);
   const std::pair<FilterId, std::pair<Assignments, const char*>> cases[] = {
