@@ -35,14 +35,14 @@ curvature is largest across the line, and valley lines, the same of the minimal 
 <i>Compute Curvature by Integral Invariants per Vertex</i>, as zeros of the derivative along the principal direction.<br/>
 The quality of a line's vertices is its <b>strength</b>, the integral of the curvature along it: a number without unit, so the
 same filter fits a model in any unit. Attributes of the new layer: ii_line (number of the line, strongest first), ii_kind
-(1 ridge, -1 valley), ii_strength. OBJ files keep the edges in every MeshLab; PLY files in the later ones.)";
+(1 ridge, -1 valley), ii_strength. To keep the edges in a file, name one in export_file.)";
 
 const char* const direction_help = R"(Makes a new layer that shows the <b>principal directions</b>: evenly spaced lines of
 curvature over the surface, or short segments at vertices. The directions are those of
 <i>Compute Curvature by Integral Invariants per Vertex</i>. Lines end at umbilics (where the surface bends alike in all
 directions), at boundaries, and where they come too near to another line; closed ones are joined.<br/>
 Attributes of the new layer: ii_line (number of the line), ii_kind (1 maximal, -1 minimal curvature), ii_strength (the
-curvature along the line). OBJ files keep the edges in every MeshLab; PLY files in the later ones.)";
+curvature along the line). To keep the edges in a file, name one in export_file.)";
 
 const char* const signature_help = R"(Computes integral invariants of every vertex at <b>all scales</b>: the volume invariant
 1 &minus; 2V / (4/3 &pi;r<sup>3</sup>), V the solid's part of the ball, which runs from &minus;1 (all solid) over 0 (flat) to 1

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vcg/complex/algorithms/update/bounding.h>
+#include <vcg/complex/algorithms/update/selection.h>
 
 #include "../feature_body.h"
 #include "../filters.h"
@@ -60,6 +61,10 @@ inline RunReport run_feature(FilterId filter, MeshDocument& document, const Requ
   if (!outcome.colors.empty()) report.written |= MeshModel::MM_VERTCOLOR;
   model.updateDataMask(report.written);
   write_feature(model.cm, outcome);
+  if (!outcome.selection.empty()) {  // later steps of a script ask for the counts, which only the window renews
+    model.cm.svn = int(vcg::tri::UpdateSelection<CMeshO>::VertexCount(model.cm));
+    model.cm.sfn = int(vcg::tri::UpdateSelection<CMeshO>::FaceCount(model.cm));
+  }
   if (outcome.lines) add_layer(document, *outcome.lines);
   return report;
 }
