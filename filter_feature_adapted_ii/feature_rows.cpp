@@ -26,7 +26,7 @@ std::vector<ParameterSpec> joined(std::vector<ParameterSpec> rows, const std::ve
 /// What decides the curvatures, for filters whose dialog has parameters of its own to show.
 std::vector<ParameterSpec> curvature_source_rows()
 {
-  return shared_rows({"radius_choice", "scales", "r_min", "r_max", "radius", "engine", "alpha", "smooth_radius",
+  return shared_rows({"radius_choice", "estimator", "scales", "r_min", "r_max", "radius", "engine", "alpha", "smooth_radius",
                       "memory_limit_mb"});
 }
 

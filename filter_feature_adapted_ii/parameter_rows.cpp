@@ -15,20 +15,33 @@ using O = OutputOptions;
 std::vector<ParameterSpec> method_rows()
 {
   return {
-      choice<&P::radius_choice>("radius_choice", {"Feature-adapted", "Fixed"},
+      choice<&P::radius_choice>("radius_choice", {"Feature-adapted", "Fixed", "Statistical"},
           {"Radius of the balls",
            "Feature-adapted: each vertex gets a ball as large as its feature allows, small on fine detail and large on "
-           "flat parts. Fixed: all vertices get the same ball.", "[Lai09] 4.2, [Yang06]"}),
+           "flat parts. Fixed: all vertices get the same ball. Statistical: balls of all sizes at every vertex, each "
+           "weighted by what it shows over the noise; the most accurate.", "[Lai09] 4.2, [Yang06], docs/accuracy.md"}),
+      choice<&P::estimator>("estimator", {"Published", "Offset-free", "Bias removed"},
+          {"Estimator",
+           "How the part of the solid in a ball becomes curvature. Published: as in the paper. Offset-free: far less "
+           "sensitive to noise, as it knows that the vertex itself is noisy. Bias removed: offset-free, and the errors of "
+           "large balls are removed by comparing scales. A statistical radius needs one of the latter two.",
+           "[Yang06], docs/accuracy.md"}),
+      length<&P::noise>("noise",
+          {"Noise",
+           "Standard deviation of the noise along the normal, if it is known. 0: estimated, place by place. Used when the "
+           "radius is statistical.", "docs/accuracy.md"}),
       integer<&P::scales>("scales", "", {1, limits::max_scales},
           {"Number of scales",
            "How many radii are computed between the smallest and the largest; what lies between two of them is blended. "
-           "Used when the radius is feature-adapted.", "[Lai09] 4.1"}),
+           "Used unless the radius is fixed.", "[Lai09] 4.1"}),
       length<&P::r_min>("r_min",
           {"Smallest radius",
-           "Radius of the smallest ball. 0: the average edge length. Raise it for a noisy mesh.", "[Lai09] 4.1"}),
+           "Radius of the smallest ball. 0: the average edge length (statistical: 1.5 of it). With a feature-adapted radius, "
+           "raise it for a noisy mesh.", "[Lai09] 4.1"}),
       length<&P::r_max>("r_max",
           {"Largest radius",
-           "Radius of the largest ball. 0: the number of scales times the average edge length.", "[Lai09] 4.1"}),
+           "Radius of the largest ball. 0: the number of scales times the average edge length (statistical: 16 of it).",
+           "[Lai09] 4.1"}),
       length<&P::radius>("radius",
           {"Fixed radius",
            "The one radius of all balls when the radius is fixed. 0: the middle of smallest and largest.", "[Yang06]"}),
@@ -38,7 +51,8 @@ std::vector<ParameterSpec> method_rows()
            "integral: sums over the triangles without a grid; open meshes too.", "[Pottmann07], [Lai09] 4.1"}),
       choice<&P::spacing>("scale_spacing", {"Linear", "Geometric"},
           {"Spacing of the scales",
-           "Linear: equal steps between the radii. Geometric: equal ratios, which reach a large radius with few scales.",
+           "Linear: equal steps between the radii. Geometric: equal ratios, which reach a large radius with few scales. A "
+           "statistical radius always takes equal ratios.",
            "[Lai09] 4.1"}),
       real<&P::alpha>("alpha", "", {0, limits::max_alpha, true},
           {"Radius times curvature (alpha)",

@@ -99,6 +99,8 @@ PlyContents contents_of(const Outcome& outcome)
                          property("ii_kmin", n, [&](std::size_t v) { return result.kappa_min[v]; }),
                          property("ii_radius", n, [&](std::size_t v) { return result.radius[v]; }),
                          property("ii_confidence", n, [&](std::size_t v) { return result.confidence[v]; })};
+  if (!result.standard_error.empty())
+    contents.properties.push_back(property("ii_error", n, [&](std::size_t v) { return result.standard_error[v]; }));
   add_direction("ii_dirmax", result.dir_max, contents.properties);
   add_direction("ii_dirmin", result.dir_min, contents.properties);
   return contents;

@@ -17,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 
 Parameters with_engine(EngineKind engine, double cells = 6)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.engine = engine;
   p.fft_cells_per_radius = cells;
   p.exactness = Exactness::exact;

@@ -20,7 +20,7 @@ TriangleMesh sample() { return with_normal_noise(torus(2, 0.6, 120, 36), 0.005);
 
 Parameters fixed_radius(double radius)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.radius_choice = RadiusChoice::fixed;
   p.radius = radius;
   return p;
@@ -55,7 +55,7 @@ class Pipeline : public testing::TestWithParam<EngineKind> {
  protected:
   Parameters parameters() const
   {
-    Parameters p;
+    Parameters p = published_method();
     p.engine = GetParam();
     return p;
   }
@@ -210,7 +210,7 @@ TEST(PipelineRefuses, OpenSurfaceWithTheVolumeEngine)
 {
   TriangleMesh open = icosphere(3);
   open.triangles.pop_back();
-  Parameters p;
+  Parameters p = published_method();
   p.engine = EngineKind::volume_fft;
   const std::string text = refusal(open, p);
   EXPECT_TRUE(mentions(text, "3 ")) << text;
@@ -222,7 +222,7 @@ TEST(PipelineRefuses, InconsistentOrientationWithTheVolumeEngine)
 {
   TriangleMesh twisted = icosphere(3);
   std::swap(twisted.triangles[0][1], twisted.triangles[0][2]);
-  Parameters p;
+  Parameters p = published_method();
   p.engine = EngineKind::volume_fft;
   const std::string text = refusal(twisted, p);
   EXPECT_TRUE(mentions(text, "orient")) << text;
@@ -230,7 +230,7 @@ TEST(PipelineRefuses, InconsistentOrientationWithTheVolumeEngine)
 
 TEST(PipelineRefuses, MoreMemoryThanTheLimit)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.memory_limit_mb = 1;
   const std::string text = refusal(icosphere(6), p);
   EXPECT_TRUE(mentions(text, "memory_limit_mb")) << text;
@@ -238,7 +238,7 @@ TEST(PipelineRefuses, MoreMemoryThanTheLimit)
 
 TEST(PipelineRefuses, ParametersOutOfRange)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.scales = 99;
   EXPECT_TRUE(mentions(refusal(icosphere(2), p), "'scales'"));
 }

@@ -29,7 +29,7 @@ TEST(FilterScript, HasWhatMeshLabAsksOfEachType)
   const std::string xml = filter_script(request);
   EXPECT_TRUE(contains(xml, "<Param type=\"RichAbsPerc\" name=\"r_max\" value=\"2.5\" min=\"0\" max=\"2.5\"/>"));
   EXPECT_TRUE(contains(xml, "<Param type=\"RichBool\" name=\"colorize\" value=\"false\"/>"));
-  EXPECT_TRUE(contains(xml, "name=\"radius_choice\" value=\"0\" enum_cardinality=\"2\""));
+  EXPECT_TRUE(contains(xml, "name=\"radius_choice\" value=\"2\" enum_cardinality=\"3\""));
   EXPECT_TRUE(contains(xml, "<Param type=\"RichFloat\" name=\"alpha\" value=\"0.9\"/>"));
   EXPECT_TRUE(contains(xml, "<Param type=\"RichSaveFile\" name=\"export_file\" value=\"\" ext=\"*.ply\"/>"));
 }

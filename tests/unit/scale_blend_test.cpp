@@ -12,7 +12,7 @@ namespace {
 
 std::vector<double> ladder(int n, ScaleSpacing spacing, double r_max = 0)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.scales = n;
   p.spacing = spacing;
   p.r_max = r_max;

@@ -17,14 +17,23 @@ constexpr double edge = 0.25;  // average edge length in the caller's unit
 
 TEST(Scales, AutomaticRadiiAreMultiplesOfTheAverageEdge)
 {
-  const std::vector<double> radii = scale_radii({}, edge);
+  const std::vector<double> radii = scale_radii(published_method(), edge);
   ASSERT_EQ(radii.size(), 8u);
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(radii[i], i + 1, 1e-15);
 }
 
+TEST(Scales, StatisticalRadiiAreGeometricAndReachFar)
+{
+  const std::vector<double> radii = scale_radii({}, edge);
+  ASSERT_EQ(radii.size(), 7u);
+  EXPECT_NEAR(radii.front(), 1.5, 1e-12);
+  EXPECT_NEAR(radii.back(), 16, 1e-12);
+  for (int i = 2; i < 7; ++i) EXPECT_NEAR(radii[i] / radii[i - 1], radii[1] / radii[0], 1e-12);
+}
+
 TEST(Scales, GeometricRadiiHaveAConstantRatio)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.spacing = ScaleSpacing::geometric;
   p.r_min = 2 * edge;
   p.r_max = 64 * edge;
@@ -35,7 +44,7 @@ TEST(Scales, GeometricRadiiHaveAConstantRatio)
 
 TEST(Scales, LargeSmallestRadiusMovesTheLadderUp)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.r_min = 10 * edge;
   const std::vector<double> radii = scale_radii(p, edge);
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(radii[i], 10 * (i + 1), 1e-12);
@@ -43,7 +52,7 @@ TEST(Scales, LargeSmallestRadiusMovesTheLadderUp)
 
 TEST(Scales, OneScaleAndFixedRadius)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.scales = 1;
   EXPECT_EQ(scale_radii(p, edge), std::vector<double>{1});
   p = {};
@@ -55,7 +64,7 @@ TEST(Scales, OneScaleAndFixedRadius)
 
 TEST(Scales, SmallestMustBeUnderTheLargest)
 {
-  Parameters p;
+  Parameters p = published_method();
   p.r_min = 2;
   p.r_max = 1;
   try {
@@ -69,7 +78,7 @@ TEST(Scales, SmallestMustBeUnderTheLargest)
 TEST(Parameters, EveryRangeIsHeld)
 {
   const auto rejected = [](const char* name, auto change) {
-    Parameters p;
+    Parameters p = published_method();
     change(p);
     try {
       validate(p);

@@ -58,9 +58,20 @@ void require_choice(const char* name, Enum value, Enum last)
 
 }  // namespace
 
+Parameters published_method()
+{
+  Parameters p;
+  p.radius_choice = RadiusChoice::feature_adapted;
+  p.estimator = Estimator::yang06;
+  p.scales = 8;
+  return p;
+}
+
 void validate(const Parameters& p)
 {
-  require_choice("radius_choice", p.radius_choice, RadiusChoice::fixed);
+  require_choice("radius_choice", p.radius_choice, RadiusChoice::statistical);
+  require_choice("estimator", p.estimator, Estimator::bias_free);
+  require_length("noise", p.noise);
   require_choice("engine", p.engine, EngineKind::surface_integral);
   require_whole("scales", p.scales, 1, limits::max_scales);
   require_choice("scale_spacing", p.spacing, ScaleSpacing::geometric);
@@ -77,6 +88,11 @@ void validate(const Parameters& p)
                limits::max_cells_per_radius);
   require_choice("exactness", p.exactness, Exactness::exact);
   require_whole("threads", p.threads, 0, limits::max_threads);
+  if (p.radius_choice == RadiusChoice::statistical && p.estimator == Estimator::yang06)
+    throw ParameterError("A statistical radius weighs the scales by their noise, which the estimator of [Yang06] does not "
+                         "allow: set 'estimator' to 1 (offset-free) or 2 (bias removed).");
+  if (p.radius_choice == RadiusChoice::statistical && p.scales < 3)
+    throw ParameterError("A statistical radius compares scales: set 'scales' to 3 or more.");
 }
 
 }  // namespace integral_invariant

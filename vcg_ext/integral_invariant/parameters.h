@@ -9,6 +9,14 @@ namespace integral_invariant {
 enum class RadiusChoice {
   feature_adapted = 0,  ///< per vertex, by the iteration of [Lai09]
   fixed = 1,            ///< one radius for all vertices, as in [Yang06]
+  statistical = 2,      ///< all scales, each weighted by what it shows over the noise (docs/accuracy.md)
+};
+
+/// How a ball's moments become curvature.
+enum class Estimator {
+  yang06 = 0,       ///< [Yang06]
+  offset_free = 1,  ///< the ball's centre may lie off the surface: far less sensitive to noise
+  bias_free = 2,    ///< offset-free, and what grows with the radius is removed by comparing scales
 };
 
 /// What computes the moments of the balls.
@@ -40,15 +48,18 @@ inline constexpr double min_cells_per_radius = 1, max_cells_per_radius = 64;
 inline constexpr int max_threads = 1024;
 }  // namespace limits
 
-/// Everything that a run can be asked. Lengths are in the unit of the mesh; 0 means automatic where it says so.
+/// Everything that a run can be asked. The defaults are what measures best over all (docs/accuracy.md); the published method
+/// is published_method(). Lengths are in the unit of the mesh; 0 means automatic where it says so.
 struct Parameters {
-  RadiusChoice radius_choice = RadiusChoice::feature_adapted;
+  RadiusChoice radius_choice = RadiusChoice::statistical;
+  Estimator estimator = Estimator::bias_free;
+  double noise = 0;                                ///< standard deviation of the surface's noise, L; 0: estimated
   EngineKind engine = EngineKind::surface_integral;
 
-  int scales = 8;                                  ///< number of radii n, 1 to 32
-  ScaleSpacing spacing = ScaleSpacing::linear;
-  double r_min = 0;                                ///< smallest radius; 0: the average edge length ē
-  double r_max = 0;                                ///< largest radius; 0: scales · ē (scales · r_min where that is larger)
+  int scales = 7;                                  ///< number of radii n, 1 to 32
+  ScaleSpacing spacing = ScaleSpacing::linear;     ///< statistical: always geometric
+  double r_min = 0;                                ///< smallest radius; 0: the average edge length ē (statistical: 1.5 ē)
+  double r_max = 0;                                ///< largest radius; 0: scales · ē, or scales · r_min if larger (statistical: 16 ē)
   double radius = 0;                               ///< the fixed radius; 0: the middle of r_min and r_max
 
   double alpha = 0.9;                              ///< wanted radius · max|κ| [Lai09 eq. 7], in (0, 10]
@@ -67,6 +78,9 @@ struct Parameters {
   std::size_t memory_limit_mb = 0;                 ///< 0: half of the machine's memory
   int threads = 0;                                 ///< 0: all processors
 };
+
+/// The settings of [Lai09]: its estimator, and a radius adapted by its iteration.
+Parameters published_method();
 
 /// \throw ParameterError where a value is out of its range or not finite; names the parameter, the value and the range.
 void validate(const Parameters& parameters);

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method of [Lai09] from mesh to curvatures: the paper's five steps, one call each. Everything between the checked
-// surface and the result is in normalised units (average edge length 1).
+// The method of [Lai09] from mesh to curvatures: the paper's five steps, one call each; or all scales at once, weighted by
+// their evidence. Everything between the checked surface and the result is in normalised units (average edge length 1).
 #include "integral_invariant/pipeline.h"
 
 #include <string>
 #include <utility>
 
+#include "integral_invariant/curvature/bias.h"
+#include "integral_invariant/curvature/offset_free.h"
 #include "integral_invariant/curvature/scale_blend.h"
 #include "integral_invariant/moments/engine.h"
 #include "integral_invariant/radius/feature_adapted.h"
 #include "integral_invariant/radius/scales.h"
 #include "integral_invariant/radius/smoothing.h"
+#include "integral_invariant/radius/statistical.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
 
 namespace {
 
-/// Step 1: moments and tensors at all scales.
+/// Step 1 as published: moments and tensors at all scales.
 TensorField tensors_at_all_scales(const Surface& surface, const MomentEngine& engine, const std::vector<double>& radii,
                                   Execution& execution)
 {
@@ -29,6 +32,38 @@ TensorField tensors_at_all_scales(const Surface& surface, const MomentEngine& en
       },
       execution);
   return tensors;
+}
+
+/// Step 1 with the ball's centre taken for noisy: tensors, and how far the surface is off the centre (n × scales).
+struct OffsetFreeField {
+  TensorField tensors;
+  std::vector<float> offsets;
+};
+
+OffsetFreeField offset_free_at_all_scales(const Surface& surface, const MomentEngine& engine,
+                                          const std::vector<double>& radii, Execution& execution)
+{
+  OffsetFreeField field{TensorField(surface.vertex_count(), radii), {}};
+  field.offsets.assign(surface.vertex_count() * radii.size(), 0);
+  engine.evaluate(
+      radii,
+      [&](std::size_t vertex, int scale, const BallMoments& moments) {
+        const OffsetFreeMeasure measure = offset_free_measure(moments, radii[scale]);
+        field.tensors.set(vertex, scale, measure.tensor);
+        field.offsets[vertex * radii.size() + scale] = float(measure.offset);
+      },
+      execution);
+  return field;
+}
+
+void remove_bias(OffsetFreeField& field, Execution& execution)
+{
+  const std::vector<double>& radii = field.tensors.radii();
+  for (std::size_t v = 0; v < field.tensors.vertex_count(); ++v)
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      field.tensors.set(v, int(i), without_own_bias(field.tensors.at_scale(v, int(i)), radii[i],
+                                                    field.offsets[v * radii.size() + i], 0));
+  extrapolate_to_zero_radius(field.tensors, execution);
 }
 
 /// Steps 2 to 4: the radius of every vertex, within the range of the scales.
@@ -49,27 +84,58 @@ std::vector<double> adapted_radii(const Surface& surface, const TensorField& ten
   return smooth_radii(surface, std::move(adapted.radius), p.smoothing_passes, execution);
 }
 
-/// Step 5: curvatures and directions at the radius, in the caller's unit.
-void write_curvatures(const TensorField& tensors, const std::vector<double>& radii, double unit, Result& result,
-                      Execution& execution)
+void resize_result(std::size_t n, Result& result)
 {
-  const std::size_t n = tensors.vertex_count();
-  for (auto* values : {&result.kappa_max, &result.kappa_min, &result.radius}) values->resize(n);
+  for (auto* values : {&result.kappa_max, &result.kappa_min, &result.radius, &result.standard_error}) values->resize(n);
   for (auto* vectors : {&result.dir_max, &result.dir_min, &result.normal}) vectors->resize(n);
   result.confidence.resize(n);
-  parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const CurvatureTensor tensor = tensors.at_radius(v, radii[v]);
-      const PrincipalCurvatures principal = principal_curvatures(tensor);
-      result.kappa_max[v] = principal.kappa_max / unit;
-      result.kappa_min[v] = principal.kappa_min / unit;
-      result.dir_max[v] = principal.dir_max;
-      result.dir_min[v] = principal.dir_min;
-      result.normal[v] = tensor.normal;
-      result.radius[v] = radii[v] * unit;
-      result.confidence[v] = float(tensor.confidence);
-    }
+}
+
+/// Writes what a tensor says about vertex v, in the caller's unit.
+void write_vertex(const CurvatureTensor& tensor, double radius, double unit, std::size_t v, Result& result)
+{
+  const PrincipalCurvatures principal = principal_curvatures(tensor);
+  result.kappa_max[v] = principal.kappa_max / unit;
+  result.kappa_min[v] = principal.kappa_min / unit;
+  result.dir_max[v] = principal.dir_max;
+  result.dir_min[v] = principal.dir_min;
+  result.normal[v] = tensor.normal;
+  result.radius[v] = radius * unit;
+  result.confidence[v] = float(tensor.confidence);
+}
+
+/// Steps 2 to 5: a radius for every vertex, and curvatures and directions there.
+void curvature_at_one_radius(const Surface& surface, const TensorField& tensors, const Parameters& p, Result& result,
+                             Execution& execution)
+{
+  std::vector<double> radii(surface.vertex_count(), tensors.radii().front());
+  result.converged = radii.size();
+  if (tensors.radii().size() > 1) radii = adapted_radii(surface, tensors, p, result, execution);
+
+  execution.begin_stage("principal curvatures", 100);
+  parallel_for(radii.size(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t v = begin; v < end; ++v)
+      write_vertex(tensors.at_radius(v, radii[v]), radii[v], surface.unit(), v, result);
   });
+}
+
+/// Steps 2 to 5 by statistics: all scales of every vertex, weighted by their evidence.
+void curvature_by_evidence(const Surface& surface, OffsetFreeField field, const Parameters& p, Result& result,
+                           Execution& execution)
+{
+  execution.begin_stage("noise", 83);
+  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, p.noise / surface.unit(), execution);
+
+  execution.begin_stage("weighing the scales", 99);
+  const StatisticalCurvature best = combine_scales(surface, field.tensors, noise, p.estimator, execution);
+
+  execution.begin_stage("principal curvatures", 100);
+  result.converged = surface.vertex_count();
+  result.noise = noise.mean_sigma * surface.unit();
+  for (std::size_t v = 0; v < best.tensor.size(); ++v) {
+    write_vertex(best.tensor[v], best.radius[v], surface.unit(), v, result);
+    result.standard_error[v] = best.standard_error[v] / surface.unit();
+  }
 }
 
 void describe_run(const Surface& surface, const MomentEngine& engine, const std::vector<double>& scales,
@@ -86,7 +152,7 @@ void describe_run(const Surface& surface, const MomentEngine& engine, const std:
 /// What the arrays of a run take, over and above the engine's own.
 void require_memory_for_arrays(std::size_t vertices, std::size_t scales, std::size_t limit_mb)
 {
-  constexpr std::size_t result_bytes = 3 * sizeof(double) + 3 * sizeof(Vec3) + sizeof(float);
+  constexpr std::size_t result_bytes = 4 * sizeof(double) + 3 * sizeof(Vec3) + sizeof(float);
   constexpr std::size_t radius_bytes = 3 * sizeof(double);
   const double bytes = double(vertices) * double(TensorField::bytes_per_vertex(scales) + result_bytes + radius_bytes);
   require_memory(bytes, limit_mb, "Curvature at " + std::to_string(scales) + " scales of " + std::to_string(vertices) +
@@ -108,14 +174,19 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
 
   execution.begin_stage("ball moments", 80);
   const auto engine = make_moment_engine(surface, parameters);
-  const TensorField tensors = tensors_at_all_scales(surface, *engine, scales, execution);
-
-  std::vector<double> radii(surface.vertex_count(), scales.front());
-  result.converged = radii.size();
-  if (scales.size() > 1) radii = adapted_radii(surface, tensors, parameters, result, execution);
-
-  execution.begin_stage("principal curvatures", 100);
-  write_curvatures(tensors, radii, surface.unit(), result, execution);
+  resize_result(surface.vertex_count(), result);
+  if (parameters.estimator == Estimator::yang06) {
+    curvature_at_one_radius(surface, tensors_at_all_scales(surface, *engine, scales, execution), parameters, result,
+                            execution);
+  } else {
+    OffsetFreeField field = offset_free_at_all_scales(surface, *engine, scales, execution);
+    if (parameters.radius_choice == RadiusChoice::statistical) {
+      curvature_by_evidence(surface, std::move(field), parameters, result, execution);
+    } else {
+      if (parameters.estimator == Estimator::bias_free) remove_bias(field, execution);
+      curvature_at_one_radius(surface, field.tensors, parameters, result, execution);
+    }
+  }
   execution.finish();
 
   describe_run(surface, *engine, scales, execution, result);

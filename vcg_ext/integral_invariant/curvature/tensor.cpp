@@ -11,13 +11,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// P s P with P = I − n nᵀ.
-Symmetric3 tangential_part(const Symmetric3& s, const Vec3& n)
-{
-  const Vec3 sn = s * n;
-  return s - symmetric_outer(sn, n) + outer(n) * dot(n, sn);
-}
-
 /// The tensor's 2x2 matrix in the tangent basis (u, v).
 struct Tangential2 {
   double uu, uv, vv;
@@ -35,22 +28,34 @@ Tangential2 in_basis(const Symmetric3& k, const Vec3& u, const Vec3& v)
 
 }  // namespace
 
-CurvatureTensor curvature_tensor(const BallMoments& moments, double radius)
+Symmetric3 tangential_part(const Symmetric3& s, const Vec3& n)
+{
+  const Vec3 sn = s * n;
+  return s - symmetric_outer(sn, n) + outer(n) * dot(n, sn);
+}
+
+TangentialCovariance tangential_covariance(const BallMoments& moments, double radius)
 {
   const double away = norm(moments.first);
-  const double r3 = radius * radius * radius;
-  // What a single-precision engine leaves in a ball that is all solid or all empty; a cone of 1 degree holds more.
-  constexpr double nothing = 1e-5;
-  if (!(moments.volume > nothing * r3) || !(away > nothing * r3 * radius)) return {};
+  // Under rounding, a ball that is all solid or all empty has no direction.
+  constexpr double no_direction = 1e-12;
+  if (!(moments.volume > 0) || !(away > no_direction * radius * moments.volume)) return {};
 
   const Symmetric3 covariance = moments.second - outer(moments.first) * (1 / moments.volume);
   const Vec3 normal = eigenvector_along(covariance, moments.first * (-1 / away));
-  const Symmetric3 tangential = tangential_part(covariance, normal);
+  return {tangential_part(covariance, normal), normal, true};
+}
 
-  const double factor = 6 / (pi * r3 * r3);
+CurvatureTensor curvature_tensor(const BallMoments& moments, double radius)
+{
+  const TangentialCovariance covariance = tangential_covariance(moments, radius);
+  if (!covariance.is_valid) return {};
+  const Symmetric3& tangential = covariance.tangential;
+  const double r6 = radius * radius * radius * radius * radius * radius;
+  const double factor = 6 / (pi * r6);
   const double isotropic = factor * tangential.trace() + 8 / (5 * radius);
-  const Symmetric3 projector = Symmetric3::identity() - outer(normal);
-  return {projector * isotropic - tangential * (4 * factor), normal, moments.confidence};
+  const Symmetric3 projector = Symmetric3::identity() - outer(covariance.normal);
+  return {projector * isotropic - tangential * (4 * factor), covariance.normal, moments.confidence};
 }
 
 PrincipalCurvatures principal_curvatures(const CurvatureTensor& tensor)

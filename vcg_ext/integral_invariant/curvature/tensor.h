@@ -14,6 +14,17 @@ struct CurvatureTensor {
   double confidence = 0;  ///< of the moments it came from, 0 to 1
 };
 
+/// P s P with P = I − n nᵀ.
+Symmetric3 tangential_part(const Symmetric3& s, const Vec3& n);
+
+/// The covariance J = M − m mᵀ/V of a ball's solid about its barycentre, seen from the surface.
+struct TangentialCovariance {
+  Symmetric3 tangential;  ///< J_T = P J P with P = I − n nᵀ
+  Vec3 normal{0, 0, 1};   ///< n: the eigenvector of J best aligned with −m
+  bool is_valid = false;  ///< false where all or nothing of the ball is solid
+};
+TangentialCovariance tangential_covariance(const BallMoments& moments, double radius);
+
 /// K = 6/(π r⁶) (tr(J_T) I − 4 J_T) + 8/(5r) I on the tangent plane [Yang06], J the covariance of the ball's solid about
 /// its barycentre and J_T its tangential part. The normal is the eigenvector of J best aligned with −m.
 ///

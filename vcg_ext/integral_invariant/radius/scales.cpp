@@ -19,6 +19,12 @@ struct Range {
 /// Where r_max is automatic it never falls to r_min or under: a larger r_min alone moves the whole ladder up.
 Range radius_range(const Parameters& p, double unit)
 {
+  if (p.radius_choice == RadiusChoice::statistical) {
+    // Smaller balls see single triangles; larger ones pay on flat parts alone, and their cost grows with the radius.
+    constexpr double smallest = 1.5, largest = 16;
+    const double low = p.r_min > 0 ? p.r_min / unit : smallest;
+    return {low, p.r_max > 0 ? p.r_max / unit : std::max(largest, 2 * low)};
+  }
   const double low = p.r_min > 0 ? p.r_min / unit : 1;
   const double high = p.r_max > 0 ? p.r_max / unit : (low < p.scales ? double(p.scales) : p.scales * low);
   return {low, high};
@@ -49,8 +55,8 @@ std::vector<double> scale_radii(const Parameters& p, double unit)
   std::vector<double> radii(p.scales);
   for (int i = 0; i < p.scales; ++i) {
     const double t = double(i) / (p.scales - 1);
-    radii[i] = p.spacing == ScaleSpacing::linear ? range.low + t * (range.high - range.low)
-                                                 : range.low * std::pow(range.high / range.low, t);
+    const bool is_linear = p.spacing == ScaleSpacing::linear && p.radius_choice != RadiusChoice::statistical;
+    radii[i] = is_linear ? range.low + t * (range.high - range.low) : range.low * std::pow(range.high / range.low, t);
   }
   radii.back() = range.high;
   return radii;

@@ -92,16 +92,18 @@ class UpdateCurvatureIntegralInvariant {
       ForEachVertexWithIndex(m, [&](VertexType& v, size_t i) { v.R() = Representable<typename VertexType::RadiusType>(result.radius[i]); });
   }
 
-  /// Per-vertex attributes: ii_kmax, ii_kmin, ii_radius, ii_confidence (scalar), ii_dirmax, ii_dirmin (point).
+  /// Per-vertex attributes: ii_kmax, ii_kmin, ii_radius, ii_error, ii_confidence (scalar), ii_dirmax, ii_dirmin (point).
   static void WriteAttributes(MeshType& m, const Result& result)
   {
     ScalarHandle kmax = Attribute<ScalarType>(m, "ii_kmax"), kmin = Attribute<ScalarType>(m, "ii_kmin");
-    ScalarHandle radius = Attribute<ScalarType>(m, "ii_radius"), confidence = Attribute<ScalarType>(m, "ii_confidence");
+    ScalarHandle radius = Attribute<ScalarType>(m, "ii_radius"), error = Attribute<ScalarType>(m, "ii_error");
+    ScalarHandle confidence = Attribute<ScalarType>(m, "ii_confidence");
     VectorHandle dirmax = Attribute<CoordType>(m, "ii_dirmax"), dirmin = Attribute<CoordType>(m, "ii_dirmin");
     ForEachVertexWithIndex(m, [&](VertexType& v, size_t i) {
       kmax[v] = Representable(result.kappa_max[i]);
       kmin[v] = Representable(result.kappa_min[i]);
       radius[v] = Representable(result.radius[i]);
+      error[v] = Representable(result.standard_error[i]);
       confidence[v] = Representable(result.confidence[i]);
       dirmax[v] = Vector(result.dir_max[i]);
       dirmin[v] = Vector(result.dir_min[i]);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// accuracy peers|ours [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
+//
+// peers: each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line
+// a cell, judged at the same vertices of the same noisy meshes.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "cells.h"
+#include "estimate.h"
+#include "integral_invariant/pipeline.h"
+#include "peers/peer.h"
+#include "support/shapes.h"
+
+namespace {
+
+using namespace accuracy;
+
+/// Radii that peers are tried at, over the average edge length of the mesh without noise.
+constexpr double peer_radii[] = {1, 1.5, 2, 3, 4, 5, 6, 7, 8, 10, 12};
+
+struct Options {
+  std::string mode, models, filter;
+  int part = 0, parts = 1;
+};
+
+Options read_options(int argc, char** argv)
+{
+  Options o;
+  o.mode = argc > 1 ? argv[1] : "";
+  for (int i = 2; i + 1 < argc; i += 2) {
+    if (!std::strcmp(argv[i], "--models")) o.models = argv[i + 1];
+    if (!std::strcmp(argv[i], "--cells")) o.filter = argv[i + 1];
+    if (!std::strcmp(argv[i], "--part")) std::sscanf(argv[i + 1], "%d/%d", &o.part, &o.parts);
+  }
+  if ((o.mode != "peers" && o.mode != "ours") || argc % 2)
+    throw std::invalid_argument("usage: accuracy peers|ours [--models FOLDER] [--cells TEXT] [--part I/N]");
+  return o;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void print_header()
+{
+  std::puts("shape,meshing,sigma,method,radius,vertices,mean,rms,median,p95,p99,direction,within_tenth,within_one,"
+            "within_two,noise,seconds");
+}
+
+void print(const Cell& cell, const std::string& method, double radius, const Metrics& m, double noise, double seconds)
+{
+  std::printf("%s,%s,%g,%s,%g,%zu,%.6g,%.6g,%.6g,%.6g,%.6g,%.5g,%.4f,%.4f,%.4f,%.5g,%.4g\n", cell.shape.c_str(),
+              cell.meshing.c_str(), cell.sigma, method.c_str(), radius, m.vertices, m.mean, m.rms, m.median, m.p95, m.p99,
+              m.direction, m.within_tenth, m.within_one, m.within_two, noise, seconds);
+  std::fflush(stdout);
+}
+
+void run_peers(const Cell& cell, const TruthMesh& truth)
+{
+  const TriangleMesh mesh = with_noise(truth, cell.sigma, cell.seed());
+  const double edge = test_support::average_edge_length(truth.mesh);
+  std::vector<Vec3> normals;
+  for (const std::uint32_t v : truth.judged) normals.push_back(truth.normal[v]);
+
+  PeerList peers;
+#ifdef II_WITH_VCG
+  add_vcg_ring_peers(mesh, peers);
+  add_vcg_quadric_peer(mesh, peers);
+  add_vcg_pca_peer(mesh, peers);
+#endif
+  add_cgal_jet_peers(mesh, peers);
+  for (const auto& peer : peers)
+    for (const double radius : peer_radii) {
+      const auto start = std::chrono::steady_clock::now();
+      const auto estimates = peer->estimate(truth.judged, normals, radius * edge);
+      print(cell, peer->name(), peer->takes_radius() ? radius : 0, compare(truth, estimates), 0, seconds_since(start));
+      if (!peer->takes_radius()) break;
+    }
+}
+
+void run_ours(const Cell& cell, const TruthMesh& truth)
+{
+  const TriangleMesh mesh = with_noise(truth, cell.sigma, cell.seed());
+  const auto start = std::chrono::steady_clock::now();
+  const integral_invariant::Result r = integral_invariant::compute_curvature(mesh, {});
+  const double seconds = seconds_since(start);
+  std::vector<Estimate> estimates;
+  for (const std::uint32_t v : truth.judged) estimates.push_back({r.kappa_max[v], r.kappa_min[v], r.dir_max[v], r.standard_error[v]});
+  const double edge = test_support::average_edge_length(truth.mesh);
+  print(cell, "ours", 0, compare(truth, estimates), r.noise / edge, seconds);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+try {
+  const Options options = read_options(argc, argv);
+  print_header();
+  TruthMesh truth;
+  std::string loaded;
+  int mesh = -1;
+  for (const Cell& cell : all_cells(options.models)) {
+    const std::string name = cell.shape + '/' + cell.meshing;
+    if (name != loaded && cell.sigma == 0) ++mesh;
+    if (mesh % options.parts != options.part || cell.name().find(options.filter) == std::string::npos) continue;
+    if (name != loaded) truth = load(cell, options.models);
+    loaded = name;
+    options.mode == "peers" ? run_peers(cell, truth) : run_ours(cell, truth);
+  }
+  return EXIT_SUCCESS;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The statistical choice of the scales on meshes whose curvature is known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "integral_invariant/pipeline.h"
+#include "support/shapes.h"
+
+using namespace integral_invariant;
+using namespace test_support;
+
+namespace {
+
+Parameters statistical() { return {}; }
+
+TriangleMesh noisy_sphere(double sigma, double radius = 1)
+{
+  TriangleMesh mesh = icosphere(4, radius);
+  return with_normal_noise(mesh, sigma * average_edge_length(mesh));
+}
+
+double mean_error(const Result& r, double kappa)
+{
+  double sum = 0;
+  for (std::size_t v = 0; v < r.kappa_max.size(); ++v)
+    sum += std::abs(r.kappa_max[v] - kappa) + std::abs(r.kappa_min[v] - kappa);
+  return sum / (2 * kappa * double(r.kappa_max.size()));
+}
+
+}  // namespace
+
+TEST(Statistical, SphereWithoutNoise) { EXPECT_LT(mean_error(compute_curvature(icosphere(4, 2), statistical()), 0.5), 0.003); }
+
+TEST(Statistical, NoiseIsEstimatedWithinATenth)
+{
+  for (const double sigma : {0.05, 0.1, 0.2, 0.5}) {
+    const TriangleMesh clean = icosphere(4);
+    const Result r = compute_curvature(noisy_sphere(sigma), statistical());
+    EXPECT_NEAR(r.noise / average_edge_length(clean), sigma, 0.1 * sigma) << sigma;
+  }
+}
+
+TEST(Statistical, NoisySphere)
+{
+  EXPECT_LT(mean_error(compute_curvature(noisy_sphere(0.1), statistical()), 1), 0.04);
+  EXPECT_LT(mean_error(compute_curvature(noisy_sphere(0.5), statistical()), 1), 0.12);
+}
+
+TEST(Statistical, GivenNoiseIsTaken)
+{
+  Parameters p = statistical();
+  p.noise = 0.25;
+  EXPECT_EQ(compute_curvature(icosphere(3), p).noise, 0.25);
+}
+
+TEST(Statistical, StandardErrorCoversAboutTwoThirds)
+{
+  const TriangleMesh clean = torus(1, 0.4, 120, 48);
+  const Result r = compute_curvature(with_normal_noise(clean, 0.1 * average_edge_length(clean)), statistical());
+  double within = 0;
+  for (std::size_t v = 0; v < r.kappa_max.size(); ++v) {
+    const Vec3& p = clean.positions[v];
+    const double angle = std::atan2(p.z, std::hypot(p.x, p.y) - 1);
+    within += std::abs(r.kappa_max[v] - 2.5) < r.standard_error[v];
+    within += std::abs(r.kappa_min[v] - torus_curvature_around_axis(1, 0.4, angle)) < r.standard_error[v];
+  }
+  EXPECT_GT(within / (2 * double(r.kappa_max.size())), 0.45);
+  EXPECT_LT(within / (2 * double(r.kappa_max.size())), 0.9);
+}
+
+TEST(Statistical, ScalesWithTheMesh)
+{
+  const Result one = compute_curvature(noisy_sphere(0.1), statistical());
+  const Result large = compute_curvature(scaled(noisy_sphere(0.1), 1024), statistical());
+  for (std::size_t v = 0; v < one.kappa_max.size(); ++v)
+    ASSERT_NEAR(large.kappa_max[v] * 1024, one.kappa_max[v], 1e-6 + 1e-4 * std::abs(one.kappa_max[v]));
+}
+
+TEST(Statistical, SameResultOnAnyNumberOfThreads)
+{
+  Parameters p = statistical();
+  p.threads = 1;
+  const Result one = compute_curvature(noisy_sphere(0.1), p);
+  p.threads = 3;
+  const Result three = compute_curvature(noisy_sphere(0.1), p);
+  EXPECT_EQ(one.kappa_max, three.kappa_max);
+  EXPECT_EQ(one.standard_error, three.standard_error);
+}
+
+TEST(Statistical, OtherEstimatorsAndRadii)
+{
+  Parameters p = statistical();
+  p.estimator = Estimator::offset_free;
+  EXPECT_LT(mean_error(compute_curvature(noisy_sphere(0.1), p), 1), 0.1);
+  p.radius_choice = RadiusChoice::fixed;
+  p.radius = 0.4;
+  const double offset_free = mean_error(compute_curvature(noisy_sphere(0.1), p), 1);
+  p.estimator = Estimator::yang06;
+  EXPECT_LT(offset_free, mean_error(compute_curvature(noisy_sphere(0.1), p), 1));
+  p.radius_choice = RadiusChoice::feature_adapted;
+  p.estimator = Estimator::bias_free;
+  EXPECT_LT(mean_error(compute_curvature(icosphere(4), p), 1), 0.01);
+}
+
+TEST(Statistical, RefusesWhatItCannotDo)
+{
+  Parameters p = statistical();
+  p.estimator = Estimator::yang06;
+  EXPECT_THROW(compute_curvature(icosphere(1), p), ParameterError);
+  p = statistical();
+  p.scales = 2;
+  EXPECT_THROW(compute_curvature(icosphere(1), p), ParameterError);
+}

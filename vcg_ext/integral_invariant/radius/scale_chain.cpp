@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 3: scale chain. In: a signal at all scales, what is known about its noise. Out: its value at radius 0, with variance.
+// Cost: O(n · scales), two averages over the neighbourhood a scale. Source: docs/method.md §4, docs/accuracy.md.
+#include "integral_invariant/radius/scale_chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral_invariant {
+
+namespace {
+
+using Pair = std::array<double, 2>;
+
+double dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+/// What is known about one vertex on the way from its largest scale down.
+struct State {
+  Pair value{}, detail{};
+  double variance = 0;          ///< of value's error
+  double detail_variance = 0;   ///< of detail's error
+  double covariance = 0;        ///< of both errors
+  double shape_variance = 1e30; ///< P of the scale before
+  double log_radius = 0;
+  bool is_drowned = false;      ///< a scale showed nothing but noise
+};
+
+class Chain {
+ public:
+  Chain(const Signal& signal, const ScaleEvidence& evidence)
+      : signal_(signal), e_(evidence), n_(evidence.density.size()), scales_(evidence.radii.size()), states_(n_),
+        slope_(n_), innovation_(n_)
+  {
+    for (const double r : e_.radii) {
+      random_.push_back(signal_.coefficient / std::pow(r, signal_.power));
+      inverse_eighth_.push_back(std::pow(r, -8));
+    }
+  }
+
+  ChainResult run()
+  {
+    for (int i = int(scales_) - 1; i >= 0; --i) {
+      start_at(i);
+      if (i == int(scales_) - 1) continue;
+      regress(i);
+      update(i);
+    }
+    return result();
+  }
+
+ private:
+  static constexpr double least_share = 0.1, drowned_share = 0.3, largest_energy = 25, evident_energy = 12;
+
+  bool is_measured(std::size_t v, int i) const { return e_.balls.origin[v * scales_ + std::size_t(i)] != Origin::none; }
+  Pair difference(std::size_t v, int i) const
+  {
+    const auto &a = signal_.at(v, scales_, i), &b = signal_.at(v, scales_, i + 1);
+    return {double(a[0]) - double(b[0]), double(a[1]) - double(b[1])};
+  }
+  /// Variance of the measurement.
+  double noise_of(std::size_t v, int i) const
+  {
+    const double flat = signal_.is_curvature ? e_.flatness[v] * e_.flatness[v] * inverse_eighth_[std::size_t(i)] : 0;
+    return random_[std::size_t(i)] * e_.density[v] + flat;
+  }
+  double energy(std::size_t v) const { return dot(innovation_[v], innovation_[v]) / signal_.components; }
+  /// r_{i+1}² − r_i²
+  double gap(int i) const
+  {
+    const double a = e_.radii[std::size_t(i)], b = e_.radii[std::size_t(i) + 1];
+    return b * b - a * a;
+  }
+
+  void start_at(int i)
+  {
+    for (std::size_t v = 0; v < n_; ++v) {
+      if (e_.balls.largest[v] != i) continue;
+      const auto& y = signal_.at(v, scales_, i);
+      states_[v].value = {double(y[0]), double(y[1])};
+      states_[v].variance = noise_of(v, i);
+      states_[v].log_radius = std::log(e_.radii[std::size_t(i)]);
+    }
+  }
+
+  /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias.
+  void regress(int i)
+  {
+    std::fill(slope_.begin(), slope_.end(), 0.0);
+    if (!e_.predict || i + 2 >= int(scales_)) return;
+    std::vector<Pair> products(n_, Pair{});
+    for (std::size_t v = 0; v < n_; ++v)
+      if (i + 1 < e_.balls.largest[v] && is_measured(v, i))
+        products[v] = {dot(difference(v, i), states_[v].detail), dot(states_[v].detail, states_[v].detail)};
+    const auto sums = e_.pools[std::size_t(i)].sums(products);
+    const double largest = gap(i) / gap(i + 1);
+    for (std::size_t v = 0; v < n_; ++v)
+      if (sums[v][1] > 0) slope_[v] = std::clamp(sums[v][0] / sums[v][1], 0.0, largest);
+  }
+
+  void update(int i)
+  {
+    std::vector<std::array<double, 3>> energies(n_);
+    for (std::size_t v = 0; v < n_; ++v) {
+      energies[v] = {0, 0, 0};
+      innovation_[v] = {};
+      if (i >= e_.balls.largest[v] || !is_measured(v, i)) continue;
+      const Pair d = difference(v, i);
+      for (int c = 0; c < 2; ++c) innovation_[v][c] = d[c] - slope_[v] * states_[v].detail[c];
+      const double noise = noise_of(v, i) - noise_of(v, i + 1);
+      // A crease must not spread its strength over the flat parts around.
+      energies[v] = {1, std::min(energy(v), largest_energy * noise), noise};
+    }
+    const auto sums = e_.pools[std::size_t(i)].sums(energies);
+    for (std::size_t v = 0; v < n_; ++v)
+      if (i < e_.balls.largest[v]) update_vertex(v, i, sums[v]);
+  }
+
+  void update_vertex(std::size_t v, int i, const std::array<double, 3>& sums)
+  {
+    State& s = states_[v];
+    const double noise = noise_of(v, i) - noise_of(v, i + 1) + 1e-30;
+    double shape = sums[0] > 0 ? std::max(0.0, (sums[1] - sums[2]) / sums[0]) : 0;
+    // An average that passes the noise by little is chance, the more so under the scale at which noise took over.
+    if (shape < (s.is_drowned ? drowned_share : least_share) * noise) shape = 0;
+    s.is_drowned = s.is_drowned || shape == 0;
+    // What stands out of the noise at the vertex itself is shape. A substitute from other places shows their distance too,
+    // which the neighbourhood's average does not know.
+    const bool is_substitute = e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::neighbours;
+    const double evident = is_substitute ? 1 : s.is_drowned ? largest_energy : evident_energy;
+    shape = std::max(shape, energy(v) - evident * noise);
+    const bool says_nothing = !is_measured(v, i) || e_.radii[std::size_t(i)] < e_.least_radius[v];
+    if (says_nothing) shape = 0;
+    const double weight = shape / (shape + noise);
+
+    for (int c = 0; c < 2; ++c) {
+      s.detail[c] = slope_[v] * s.detail[c] + weight * (says_nothing ? 0 : innovation_[v][c]);
+      s.value[c] += s.detail[c];
+    }
+    s.log_radius -= weight * std::log(e_.radii[std::size_t(i) + 1] / e_.radii[std::size_t(i)]);
+    add_uncertainty(s, weight, shape, noise, slope_[v]);
+  }
+
+  /// Shape under the noise does not show: it is taken to be as large as could have hidden, but to fall with the scale.
+  static void add_uncertainty(State& s, double weight, double shape, double noise, double slope)
+  {
+    constexpr double hidden_share = 0.4, largest_decay = 0.5;
+    shape = std::max(shape, std::min(hidden_share * noise, largest_decay * s.shape_variance));
+    s.shape_variance = shape;
+    const double lost = 1 - weight;
+    s.detail_variance = lost * lost * shape + weight * weight * noise;
+    const double carried = lost * slope * s.covariance;
+    s.variance += s.detail_variance + 2 * carried;
+    s.covariance = s.detail_variance + carried;
+  }
+
+  ChainResult result() const
+  {
+    // K(0) − K(r_0) from K(r_0) − K(r_1), by K = K₀ + c r².
+    const double first = e_.radii.front();
+    const double beyond = e_.predict && scales_ > 1 ? std::min(1.0, first * first / gap(0)) : 0;
+    ChainResult result;
+    result.value.resize(n_);
+    for (std::size_t v = 0; v < n_; ++v) {
+      const State& s = states_[v];
+      for (int c = 0; c < 2; ++c) result.value[v][c] = s.value[c] + beyond * s.detail[c];
+      result.variance.push_back(s.variance + beyond * beyond * s.detail_variance + 2 * beyond * s.covariance);
+      result.radius.push_back(std::exp(s.log_radius));
+    }
+    return result;
+  }
+
+  const Signal& signal_;
+  const ScaleEvidence& e_;
+  const std::size_t n_, scales_;
+  std::vector<double> random_, inverse_eighth_;  ///< a scale: variance over density, r⁻⁸
+  std::vector<State> states_;
+  std::vector<double> slope_;
+  std::vector<Pair> innovation_;
+};
+
+}  // namespace
+
+ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence) { return Chain(signal, evidence).run(); }
+
+}  // namespace integral_invariant

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 3: statistical choice of the scales. In: offset-free tensors of all scales, noise. Out: tensor, standard error and
+// radius of every vertex. Cost: O(n · scales). Source: docs/method.md §4, docs/accuracy.md.
+#include "integral_invariant/radius/statistical.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "integral_invariant/curvature/bias.h"
+#include "integral_invariant/radius/scale_chain.h"
+#include "integral_invariant/radius/whole_balls.h"
+
+namespace integral_invariant {
+
+namespace {
+
+/// Tangent frame of a vertex in which its tensors of all scales are compared.
+struct Frame {
+  Vec3 normal, u, v;
+};
+
+Frame frame_of(std::size_t vertex, const TensorField& tensors, const WholeBalls& balls)
+{
+  constexpr int usual_scale = 3;  // small, but not the prey of noise
+  const std::size_t scales = tensors.radii().size();
+  int scale = std::min(usual_scale, balls.largest[vertex]);
+  while (scale < balls.largest[vertex] && balls.origin[vertex * scales + std::size_t(scale)] == Origin::none) ++scale;
+  const Vec3 normal = tensors.at_scale(vertex, scale).normal;
+  const Vec3 u = any_orthogonal(normal);
+  return {normal, u, cross(normal, u)};
+}
+
+/// `a` turned as the shortest rotation turns `from` to `to`.
+Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
+{
+  const double cosine = dot(from, to);
+  if (cosine < -0.99) return a;
+  const Vec3 axis = cross(from, to), once = cross(axis, a);
+  return a + once + cross(axis, once) * (1 / (1 + cosine));
+}
+
+struct Signals {
+  Signal mean, deviator, normal;
+};
+
+Signals make_signals(const TensorField& tensors, const std::vector<Frame>& frames, Execution& execution)
+{
+  const std::size_t n = frames.size(), scales = tensors.radii().size();
+  Signals s{{1, true, disc_variance::mean_curvature, 6, {}},
+            {2, true, disc_variance::deviator, 6, {}},
+            {2, false, disc_variance::normal, 4, {}}};
+  for (Signal* signal : {&s.mean, &s.deviator, &s.normal}) signal->values.resize(n * scales);
+  parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t v = begin; v < end; ++v)
+      for (std::size_t i = 0; i < scales; ++i) {
+        const CurvatureTensor t = tensors.at_scale(v, int(i));
+        const Frame& f = frames[v];
+        const Vec3 a = turned(f.u, f.normal, t.normal), b = turned(f.v, f.normal, t.normal), kb = t.k * b;
+        const double aa = quadratic_form(t.k, a), bb = dot(b, kb);
+        s.mean.values[v * scales + i] = {float((aa + bb) / 2), 0};
+        s.deviator.values[v * scales + i] = {float((aa - bb) / 2), float(dot(a, kb))};
+        s.normal.values[v * scales + i] = {float(dot(t.normal, f.u)), float(dot(t.normal, f.v))};
+      }
+  }, 0.2, 0.3);
+  return s;
+}
+
+void remove_own_bias(TensorField& tensors, const Noise& noise, Execution& execution)
+{
+  // Half of a vertex's variance is left where triangles average their three corners.
+  constexpr double surface_share = 0.5;
+  const std::vector<double>& radii = tensors.radii();
+  parallel_for(tensors.vertex_count(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t v = begin; v < end; ++v)
+      for (std::size_t i = 0; i < radii.size(); ++i) {
+        const double variance = surface_share * noise.sigma[v] * noise.sigma[v];
+        tensors.set(v, int(i), without_own_bias(tensors.at_scale(v, int(i)), radii[i], noise.offset[v], variance));
+      }
+  }, 0, 0.1);
+}
+
+CurvatureTensor assemble(const Frame& f, double mean, const std::array<double, 2>& deviator,
+                         const std::array<double, 2>& tilt)
+{
+  const double in_plane = std::min(0.99, tilt[0] * tilt[0] + tilt[1] * tilt[1]);
+  const Vec3 normal = normalized(f.u * tilt[0] + f.v * tilt[1] + f.normal * std::sqrt(1 - in_plane), f.normal);
+  const Vec3 u = turned(f.u, f.normal, normal), v = turned(f.v, f.normal, normal);
+  const Symmetric3 k = outer(u) * (mean + deviator[0]) + outer(v) * (mean - deviator[0]) +
+                       symmetric_outer(u, v) * deviator[1];
+  return {k, normal, 1};
+}
+
+}  // namespace
+
+StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const Noise& noise,
+                                    Estimator estimator, Execution& execution)
+{
+  const std::size_t n = surface.vertex_count();
+  const std::vector<double>& radii = tensors.radii();
+  const bool removes_bias = estimator == Estimator::bias_free;
+  if (removes_bias) remove_own_bias(tensors, noise, execution);
+  const WholeBalls balls = find_whole_balls(surface, tensors, execution);
+
+  std::vector<Frame> frames(n);
+  std::vector<double> least_radius(n);
+  constexpr double least_radius_over_sigma = 6;
+  for (std::size_t v = 0; v < n; ++v) {
+    frames[v] = frame_of(v, tensors, balls);
+    least_radius[v] = least_radius_over_sigma * noise.sigma[v];
+  }
+  const Signals signals = make_signals(tensors, frames, execution);
+
+  constexpr double pool_over_radius = 2, least_pool = 8;
+  std::vector<GridPool> pools;
+  for (std::size_t i = 0; i + 1 < radii.size(); ++i) {
+    pools.emplace_back(surface.positions(), std::max(least_pool, pool_over_radius * radii[i + 1]));
+    execution.report(0.3 + 0.2 * double(i) / double(radii.size()));
+  }
+  const ScaleEvidence evidence{radii, balls, noise.density, noise.flatness, least_radius, pools, removes_bias};
+  const ChainResult mean = run_scale_chain(signals.mean, evidence);
+  execution.report(0.65);
+  const ChainResult deviator = run_scale_chain(signals.deviator, evidence);
+  execution.report(0.8);
+  const ChainResult normal = run_scale_chain(signals.normal, evidence);
+  execution.report(0.95);
+
+  StatisticalCurvature result;
+  result.tensor.resize(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    result.tensor[v] = assemble(frames[v], mean.value[v][0], deviator.value[v], normal.value[v]);
+    result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
+    result.standard_error.push_back(std::sqrt(std::max(0.0, mean.variance[v] + deviator.variance[v])));
+  }
+  result.radius = mean.radius;
+  return result;
+}
+
+}  // namespace integral_invariant
