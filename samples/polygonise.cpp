@@ -64,6 +64,7 @@ void make_triangles_even(const FusedShapes& solid, double edge, Mesh& mesh)
   vcg::tri::IsotropicRemeshing<Mesh>::Params params;
   params.SetTargetLen(float(edge));
   params.SetFeatureAngleDeg(180);  // the solid is smooth: what looks like a crease is the grid's
+  params.maxSurfDist = float(edge);  // read even where it is not checked
   params.surfDistCheck = false;
   params.projectFlag = false;      // the solid itself is a better guide than its first mesh
   for (int round = 0; round < rounds; ++round) {

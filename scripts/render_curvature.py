@@ -5,6 +5,7 @@
 import argparse
 import pathlib
 import sys
+import textwrap
 
 import numpy as np
 import vtk
@@ -15,6 +16,8 @@ from ply import read_ply
 BACKGROUND = (1.0, 1.0, 1.0)
 INK = (0.13, 0.14, 0.17)
 SUPERSAMPLING = 2
+MESH_PART = 0.84  # of the picture's width; the legend has the rest
+FILLED = 0.92     # of the mesh's part
 
 # Quantities by their names in the filter's dialog: unit, and whether they have a sign.
 QUANTITIES = {
@@ -205,24 +208,20 @@ def view_directions(view, up_axis, points):
 
 
 def place_camera(renderer, points, options):
-    """Fits the mesh as seen, not its bounding sphere, into the part of the picture that the legend leaves."""
+    """Fits the mesh as seen, not its bounding sphere, into the part of the picture beside the legend."""
     toward, up = view_directions(options.view, options.up, points)
     right = np.cross(up, toward)
     right /= np.linalg.norm(right)
     up = np.cross(toward, right)
-    u, v = points @ right, points @ up
-    centre = ((u.max() + u.min()) / 2 * right + (v.max() + v.min()) / 2 * up
-              + (points @ toward).mean() * toward)
-    aspect = options.size[0] / options.size[1]
-    free_width, free_height = 0.80, 0.92
-    half = max((v.max() - v.min()) / 2 / free_height, (u.max() - u.min()) / 2 / (aspect * free_width)) / options.zoom
+    u, v, depth = points @ right, points @ up, points @ toward
+    centre = ((u.max() + u.min()) * right + (v.max() + v.min()) * up + (depth.max() + depth.min()) * toward) / 2
+    aspect = MESH_PART * options.size[0] / options.size[1]
+    half = max(np.ptp(v), np.ptp(u) / aspect) / 2 / FILLED / options.zoom
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetParallelScale(half)
-    shift = (1 - free_width) * aspect * half * 0.9
-    centre = centre + shift * right
     camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(centre + 4 * half * toward + 2 * np.ptp(points @ toward) * toward))
+    camera.SetPosition(*(centre + (4 * half + 2 * np.ptp(depth)) * toward))
     camera.SetViewUp(*up)
     renderer.ResetCameraClippingRange()
 
@@ -247,10 +246,10 @@ def legend(table, size):
     bar.SetNumberOfLabels(ticks.GetNumberOfValues())
     bar.SetLabelFormat("  %.4g")
     bar.UnconstrainedFontSizeOn()
-    bar.SetBarRatio(0.24)
+    bar.SetBarRatio(0.23)
     bar.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    bar.GetPositionCoordinate().SetValue(0.865, 0.14)
-    bar.SetWidth(0.12)
+    bar.GetPositionCoordinate().SetValue(0.12, 0.14)
+    bar.SetWidth(0.8)
     bar.SetHeight(0.66)
     style = bar.GetLabelTextProperty()
     style.SetFontFamilyToArial()
@@ -269,8 +268,8 @@ def caption(text, position, size, scale):
     style.SetFontFamilyToArial()
     style.SetFontSize(int(scale * size[1]))
     style.SetColor(*INK)
-    style.SetJustificationToRight()
-    style.SetVerticalJustificationToTop()
+    style.SetJustificationToLeft()
+    style.SetVerticalJustificationToBottom()
     style.SetLineSpacing(1.3)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
     actor.SetPosition(*position)
@@ -296,6 +295,7 @@ def draw(options):
 
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(*BACKGROUND)
+    renderer.SetViewport(0, 0, MESH_PART, 1)
     renderer.AddActor(surface_actor(poly_data(points, triangles, values), table))
     if options.directions:
         directions = np.column_stack([vertices[f"{options.directions}_{axis}"] for axis in "xyz"]).astype(float)
@@ -305,15 +305,14 @@ def draw(options):
     add_lights(renderer)
     place_camera(renderer, points[used], options)
     add_ambient_occlusion(renderer, 1.0)
-    renderer.SetLayer(0)
 
-    overlay = vtk.vtkRenderer()  # above the surface, where ambient occlusion does not reach
-    overlay.SetLayer(1)
-    overlay.InteractiveOff()
+    margin = vtk.vtkRenderer()
+    margin.SetBackground(*BACKGROUND)
+    margin.SetViewport(MESH_PART, 0, 1, 1)
     pixels = [SUPERSAMPLING * s for s in options.size]
-    overlay.AddActor2D(legend(table, pixels))
-    overlay.AddActor2D(caption(f"{name}\n{unit}", (0.975, 0.90), pixels, 0.024))
-    write_picture(options.picture, pixels, [renderer, overlay])
+    margin.AddActor2D(legend(table, pixels))
+    margin.AddActor2D(caption(f"{textwrap.fill(name, 18)}\n{unit}", (0.12, 0.83), pixels, 0.0205))
+    write_picture(options.picture, pixels, [renderer, margin])
 
 
 def write_picture(path, pixels, renderers):
@@ -321,7 +320,6 @@ def write_picture(path, pixels, renderers):
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
     window.SetSize(*pixels)
-    window.SetNumberOfLayers(len(renderers))
     for renderer in renderers:
         window.AddRenderer(renderer)
     window.Render()

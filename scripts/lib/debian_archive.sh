@@ -29,22 +29,25 @@ configured_debian_mirror() {
     'Component: main' | head -n 1
 }
 
-# private_apt FOLDER PROGRAM ARGUMENTS...: apt-get or apt-cache with configuration and lists of their own in FOLDER.
+# private_apt FOLDER PROGRAM ARGUMENTS...: apt-get or apt-cache with configuration, lists and package status of their own
+# in FOLDER: nothing is installed there.
 private_apt() {
   local folder=$1 program=$2
   shift 2
   "$program" -q \
     -o Dir::Etc::sourcelist="$folder/sources.list" -o Dir::Etc::sourceparts=- \
-    -o Dir::State::Lists="$folder/lists" -o Dir::Cache="$folder/cache" -o APT::Sandbox::User="$(id -un)" \
+    -o Dir::State="$folder" -o Dir::State::status="$folder/status" -o Dir::State::Lists="$folder/lists" \
+    -o Dir::Cache="$folder/cache" -o APT::Sandbox::User="$(id -un)" \
     -o Acquire::Languages=none -o Acquire::Check-Valid-Until=false "$@"
 }
 
-# open_debian_sources FOLDER SUITE: prepares FOLDER for private_apt with the source packages of SUITE.
-open_debian_sources() {
-  local folder=$1 suite=$2 mirror
+# open_debian_archive FOLDER TYPE SUITE: prepares FOLDER for private_apt with what SUITE has of TYPE: deb or deb-src.
+open_debian_archive() {
+  local folder=$1 type=$2 suite=$3 mirror
   mirror=$(debian_mirror)
   mkdir -p "$folder/lists/partial" "$folder/cache/archives/partial"
-  printf 'deb-src [signed-by=%s] %s %s main\n' "$DEBIAN_KEYRING" "$mirror" "$suite" >"$folder/sources.list"
+  touch "$folder/status"
+  printf '%s [signed-by=%s] %s %s main\n' "$type" "$DEBIAN_KEYRING" "$mirror" "$suite" >"$folder/sources.list"
   private_apt "$folder" apt-get update >"$folder/update.log" 2>&1 ||
     die "apt cannot read Debian's $suite: $(grep -m 1 -E '^(E|W|Err)' "$folder/update.log")"
 }

@@ -19,7 +19,7 @@ unpack_meshlab_source() {
   local release=$1 folder=$2 apt=$2/apt suite=${MESHLAB_SUITE[$1]} version
   note "fetching the source of MeshLab $release from Debian's $suite"
   mkdir "$apt"
-  open_debian_sources "$apt" "$suite"
+  open_debian_archive "$apt" deb-src "$suite"
   version=$(newest_meshlab_version "$apt" "$release")
   [[ -n $version ]] || die "Debian's $suite has no MeshLab ${release%%.*} any more."
   # The tarball alone: what Debian's patches change is not in the headers.

@@ -16,10 +16,10 @@ namespace {
 
 namespace filter = integral_invariant::filter;
 
-filter::Request request_of(const Assignments& assignments)
+filter::Request request_of(const Assignments& assignments, filter::FilterId id = filter::FilterId::curvature)
 {
   filter::Request request;
-  for (const std::string& assignment : assignments) filter::store_assignment(assignment, request);
+  for (const std::string& assignment : assignments) filter::store_assignment(assignment, request, id);
   return request;
 }
 
@@ -50,12 +50,20 @@ std::string source_folder() { return II_SOURCE_FOLDER; }
 
 Host find_host(const std::string& release)
 {
-  const std::string server = build_folder() + "/meshlab-2020.09/bin/meshlabserver";
-  if (std::filesystem::exists(server)) return {release, ""};
-  return {release, "not run: there is no " + server + "; scripts/test makes it where MeshLab 2020.09 is installed"};
+  const bool own = release == "2020.09";
+  const std::string folder = own ? build_folder() : build_folder() + "/hosts/" + release;
+  const std::string program = folder + (own ? "/meshlab-2020.09/bin/meshlabserver" : "/runner/meshlab_script_runner");
+  Host host{release, folder + "/filter_feature_adapted_ii/libfilter_feature_adapted_ii.so", ""};
+  const std::string reason = read_text(build_folder() + "/hosts/" + release + ".unavailable");
+  if (!reason.empty()) host.unavailable = "not run: " + reason;
+  else if (!std::filesystem::exists(program)) host.unavailable = "not run: there is no " + program + "; scripts/test makes it";
+  return host;
 }
 
-std::string filter_script(const Assignments& assignments) { return filter::filter_script(request_of(assignments)); }
+std::string filter_script(const Assignments& assignments, filter::FilterId filter)
+{
+  return filter::filter_script(request_of(assignments, filter), filter);
+}
 
 std::string with_value(std::string script, const std::string& parameter, const std::string& value)
 {
@@ -65,18 +73,30 @@ std::string with_value(std::string script, const std::string& parameter, const s
   return script.replace(begin, script.find('"', begin) - begin, value);
 }
 
-HostRun run_script(const Host&, const std::string& mesh_file, const std::string& script, const std::string& saved)
+HostRun run_script(const Host& host, const std::string& mesh_file, const std::string& script, const std::string& saved)
 {
   const TemporaryFolder folder;
   write_text(folder / "script.mlx", script);
-  // A host that hangs must not hang the tests.
-  std::vector<std::string> command = {"timeout", "250", "xvfb-run", "-a",
-                                      build_folder() + "/meshlab-2020.09/bin/meshlabserver"};
-  if (!mesh_file.empty()) command.insert(command.end(), {"-i", mesh_file});
-  if (!saved.empty()) command.insert(command.end(), {"-o", saved, "-m", "vq", "vr", "vc", "vn"});
-  command.insert(command.end(), {"-s", folder / "script.mlx"});
+  std::vector<std::string> command = {"timeout", "250"};  // a host that hangs must not hang the tests
+  const auto add = [&command](const std::vector<std::string>& words) {
+    command.insert(command.end(), words.begin(), words.end());
+  };
+  if (host.release == "2020.09") add({"xvfb-run", "-a", build_folder() + "/meshlab-2020.09/bin/meshlabserver"});
+  else add(runner_command(host.release, {"--plugin", host.plugin}));
+  if (!mesh_file.empty()) add({"-i", mesh_file});
+  if (!saved.empty()) add({"-o", saved});
+  if (!saved.empty() && host.release == "2020.09") add({"-m", "vq", "vr", "vc", "vn"});
+  add({"-s", folder / "script.mlx"});
   const ProgramResult result = run_program(command);
   return {result.status, result.output};
+}
+
+std::vector<std::string> runner_command(const std::string& release, const std::vector<std::string>& arguments)
+{
+  std::vector<std::string> command = {source_folder() + "/scripts/run_in_host", release,
+                                      build_folder() + "/hosts/" + release + "/runner/meshlab_script_runner"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
 }
 
 void expect_equal_to_core(const PlyFile& exported, const TriangleMesh& mesh, const Assignments& assignments)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "parameter_table.h"
 #include "support/ply_file.h"
 #include "support/program.h"
 
@@ -14,9 +15,11 @@ namespace test_support {
 std::string build_folder();
 std::string source_folder();
 
-/// A MeshLab release that can run filter scripts without a window.
+/// A MeshLab release that can run filter scripts without a window: 2020.09 by its meshlabserver, later ones by the
+/// project's runner.
 struct Host {
   std::string release;
+  std::string plugin;       ///< file of the plugin that was built for it
   std::string unavailable;  ///< why it cannot run here; empty where it can
 };
 Host find_host(const std::string& release);
@@ -25,7 +28,8 @@ Host find_host(const std::string& release);
 using Assignments = std::vector<std::string>;
 
 /// An .mlx of the filter, as users get it from write_filter_script.
-std::string filter_script(const Assignments& assignments);
+std::string filter_script(const Assignments& assignments,
+                          integral_invariant::filter::FilterId filter = integral_invariant::filter::FilterId::curvature);
 /// The script with one parameter's value replaced by whatever text.
 std::string with_value(std::string script, const std::string& parameter, const std::string& value);
 
@@ -35,6 +39,9 @@ struct HostRun {
 };
 /// Runs `script` on the mesh file and saves the mesh as `saved`. An empty mesh file name: no mesh is loaded.
 HostRun run_script(const Host& host, const std::string& mesh_file, const std::string& script, const std::string& saved);
+
+/// The command line of the project's runner inside that release's root.
+std::vector<std::string> runner_command(const std::string& release, const std::vector<std::string>& arguments);
 
 /// Every array that the filter exported is the core's own, to the rounding of single precision: curvatures and radii
 /// within 1e-6 of their largest value, directions within 1e-5.

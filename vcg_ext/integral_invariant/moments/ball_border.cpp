@@ -53,7 +53,7 @@ void BallEvaluator::add_free_edges(const Neighbourhood& near)
 void BallEvaluator::add_free_edge(const LocalFreeEdge& edge)
 {
   const Vec3 a = point(edge.from), b = point(edge.to);
-  const std::uint32_t from = std::uint32_t(scale_of_[edge.from]), to = std::uint32_t(scale_of_[edge.to]);
+  const std::uint32_t from = scale_of_[edge.from], to = scale_of_[edge.to];
   const double sign = side(edge, a, b, point(edge.opposite));
   const auto add = [&](const Vec3& start, const Vec3& end, ArcSums& arcs, MissingSurface& missing) {
     arcs.add(normalized(start), normalized(end), edge.surplus, pole_);
@@ -72,7 +72,7 @@ void BallEvaluator::add_free_edge(const LocalFreeEdge& edge)
 void BallEvaluator::add_ray(const LocalFreeEdge& edge)
 {
   const Vec3 a = point(edge.from), b = point(edge.to);
-  const std::uint32_t first = std::uint32_t(std::min(scale_of_[edge.from], scale_of_[edge.to]));
+  const std::uint32_t first = std::min(scale_of_[edge.from], scale_of_[edge.to]);
   for (std::int32_t i = 0; i < edge.surplus; ++i) {
     if (squared_norm(a) > 0) rays_.push_back({{normalized(a), true}, first});
     if (squared_norm(b) > 0) rays_.push_back({{normalized(b), false}, first});
@@ -106,7 +106,7 @@ bool BallEvaluator::touches_centre(const std::array<Vec3, 3>& t) const
 void BallEvaluator::keep_own_sheet(const Neighbourhood& near, std::uint32_t centre)
 {
   // A point is reached at the largest scale that any path to it along edges needs, over the path that needs least.
-  own_scale_.assign(scale_of_.size(), scales_);
+  own_scale_.assign(scale_of_.size(), std::uint8_t(scales_));
   queue_.resize(scales_);
   own_scale_[centre] = 0;
   queue_[0].assign(1, centre);
@@ -116,10 +116,10 @@ void BallEvaluator::keep_own_sheet(const Neighbourhood& near, std::uint32_t cent
       if (own_scale_[p] != k) continue;
       for (std::uint32_t n = near.neighbour_start[p]; n < near.neighbour_start[p + 1]; ++n) {
         const std::uint32_t q = near.neighbours[n];
-        const std::int64_t reached = std::max<std::int64_t>(k, scale_of_[q]);
+        const std::uint8_t reached = std::max(std::uint8_t(k), scale_of_[q]);
         if (reached >= own_scale_[q]) continue;
         own_scale_[q] = reached;
-        queue_[std::size_t(reached)].push_back(q);
+        queue_[reached].push_back(q);
       }
     }
     queue_[k].clear();
@@ -127,8 +127,8 @@ void BallEvaluator::keep_own_sheet(const Neighbourhood& near, std::uint32_t cent
   scale_of_.swap(own_scale_);
   rim_scale_ = scale_of_;
   for (const LocalCorners& t : near.corners) {
-    const std::int64_t least = std::min({scale_of_[t.corner[0]], scale_of_[t.corner[1]], scale_of_[t.corner[2]]});
-    for (const std::uint32_t i : t.corner) rim_scale_[i] = std::min(rim_scale_[i], least);
+    const std::uint8_t least = std::min({scale_of_[t.ring[0]], scale_of_[t.ring[1]], scale_of_[t.ring[2]]});
+    for (int i = 0; i < 3; ++i) rim_scale_[t.ring[i]] = std::min(rim_scale_[t.ring[i]], least);
   }
 }
 

@@ -12,21 +12,29 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Indices of a, b, c in increasing order, without a branch: comparisons of scales are as good as random.
-inline const std::uint8_t* order_of(std::int64_t a, std::int64_t b, std::int64_t c)
-{
-  static constexpr std::uint8_t orders[8][4] = {{2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {0, 1, 2},
-                                                {0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2}};
-  return orders[unsigned(a <= b) | unsigned(b <= c) << 1 | unsigned(a <= c) << 2];
-}
-
 }  // namespace
 
 BallEvaluator::BallEvaluator(const std::vector<double>& radii, bool same_sheet)
     : radii_(radii), scales_(std::uint32_t(radii.size())), same_sheet_(same_sheet), whole_count_(radii.size() + 1, 0),
-      corners_(radii.size() + 1), corner_count_(radii.size(), 0)
+      corners_(radii.size() + 2), corner_count_(radii.size(), 0)
 {
   for (const double r : radii) squared_radii_.push_back(r * r);
+  tabulate_scales();
+}
+
+void BallEvaluator::tabulate_scales()
+{
+  for (std::uint32_t a = 0; a <= scales_; ++a)
+    for (std::uint32_t b = 0; b <= scales_; ++b)
+      for (std::uint32_t c = 0; c <= scales_; ++c) {
+        const std::uint32_t scale[3] = {a, b, c};
+        std::uint32_t vertex[3] = {0, 1, 2};
+        std::stable_sort(vertex, vertex + 3, [&](std::uint32_t i, std::uint32_t j) { return scale[i] < scale[j]; });
+        const std::uint32_t least = scale[vertex[0]], median = scale[vertex[1]], most = scale[vertex[2]];
+        const auto corner = [&](std::uint32_t k) { return std::uint8_t(k < median ? 2 * vertex[0] : 2 * vertex[2] + 1); };
+        scales_table_.push_back({std::uint8_t(least), std::uint8_t(median), std::uint8_t(most), corner(least),
+                                 corner(least + 1), least < most, least + 1 < most, corner(scales_)});
+      }
 }
 
 const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& near, std::uint32_t centre,
@@ -38,13 +46,15 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   centre_ = near.point(centre);
   // Off the normal by an odd angle: what is axis-aligned then does not meet the pole's opposite.
   pole_ = normalized(normal + Vec3{0.0471, 0.0333, 0.0189});
-  place(near);
+  near_ = &near;
+  scale_of_.resize(near.x.size());
+  find_scales(near.x.data(), near.y.data(), near.z.data(), near.x.size(), centre_, squared_radii_, scale_of_.data());
   if (same_sheet_) keep_own_sheet(near, centre);
   for (std::uint32_t k = 0; k < scales_; ++k)
     if (near.has_far[k]) shells_[k] += cone_moments(near.far[k], -centre_);
-  sort_triangles(near);
+  find_triangle_scales(near);
+  sort_triangles();
   add_whole_triangles(near);
-  list_corners(near);
   for (std::uint32_t k = 0; k < scales_; ++k) add_listed_corners(near, k);
   for (const std::uint32_t i : near.large) add_large(near.corners[i], near.triangles[i]);
   add_free_edges(near);
@@ -63,45 +73,53 @@ void BallEvaluator::clear()
   rays_.clear();
 }
 
-void BallEvaluator::place(const Neighbourhood& near)
+void BallEvaluator::find_triangle_scales(const Neighbourhood& near)
 {
-  const std::size_t size = near.x.size();
-  x_.resize(size);
-  y_.resize(size);
-  z_.resize(size);
-  scale_of_.resize(size);
-  place_points(near.x.data(), near.y.data(), near.z.data(), size, centre_, squared_radii_, x_.data(), y_.data(),
-               z_.data(), scale_of_.data());
-}
-
-void BallEvaluator::sort_triangles(const Neighbourhood& near)
-{
-  const std::size_t size = near.corners.size();
-  whole_.resize(scales_ + 1);
-  for (std::vector<std::uint32_t>& list : whole_)
-    if (list.size() < size) list.resize(size);
-  if (cut_.size() < size) cut_.resize(size);
-  std::fill(whole_count_.begin(), whole_count_.end(), 0);
-  std::array<std::uint32_t*, limits::max_scales + 1> whole;
-  for (std::uint32_t k = 0; k <= scales_; ++k) whole[k] = whole_[k].data();
-  const std::int64_t* scale = scale_of_.data();
-  std::uint32_t *cut = cut_.data(), *count = whole_count_.data();
-  std::size_t cut_count = 0;
+  if (touched_.size() < near.corners.size()) touched_.resize(near.corners.size());
+  const std::uint8_t* scale = scale_of_.data();
+  const TriangleScales* table = scales_table_.data();
+  const std::size_t stride = scales_ + 1;
+  TouchedTriangle* end = touched_.data();
   for (const LocalLeaf& leaf : near.leaves) {
     const double reach = radii_.back() + leaf.sphere.radius;
     if (squared_norm(leaf.sphere.centre - centre_) > reach * reach) continue;
     for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
-      const std::array<std::uint32_t, 3>& corner = near.corners[i].corner;
-      const std::int64_t a = scale[corner[0]], b = scale[corner[1]], c = scale[corner[2]];
-      const std::int64_t low = std::min(a, b), high = std::max(a, b);
-      // Written in any case and counted where it applies: whether it does is as good as random.
-      const std::int64_t median = std::max(low, std::min(high, c));
-      whole[std::size_t(median)][count[std::size_t(median)]++] = i;
-      cut[cut_count] = i;
-      cut_count += (low != c) | (high != c);
+      const std::array<std::uint32_t, 5>& p = near.corners[i].ring;
+      *end++ = {i, table[(scale[p[0]] * stride + scale[p[1]]) * stride + scale[p[2]]]};
     }
   }
-  cut_count_ = cut_count;
+  touched_count_ = std::size_t(end - touched_.data());
+}
+
+void BallEvaluator::sort_triangles()
+{
+  whole_.resize(scales_ + 1);
+  std::array<std::uint32_t*, limits::max_scales + 1> whole;
+  for (std::uint32_t k = 0; k <= scales_; ++k) {
+    if (whole_[k].size() < touched_count_) whole_[k].resize(touched_count_);
+    whole[k] = whole_[k].data();
+  }
+  std::array<LocalCorner*, limits::max_scales + 2> end;
+  for (std::uint32_t k = 0; k < scales_ + 2; ++k) {
+    if (corners_[k].size() <= touched_count_) corners_[k].resize(touched_count_ + 1);
+    end[k] = corners_[k].data();
+  }
+  for (std::size_t j = 0; j < touched_count_; ++j) {
+    const TriangleScales t = touched_[j].scales;
+    const std::uint32_t i = touched_[j].triangle;
+    *whole[t.median]++ = i;
+    // One or two scales as a rule, as good as at random: written in any case and counted where it applies.
+    *end[t.least] = {i, t.corner_at_least};
+    end[t.least] += t.is_cut;
+    *end[t.least + 1] = {i, t.corner_after};
+    end[t.least + 1] += t.is_cut_again;
+    for (std::uint32_t k = t.least + 2u; k < t.most; ++k)
+      *end[k]++ = {i, k < t.median ? t.corner_at_least : t.last_corner};
+  }
+  for (std::uint32_t k = 0; k < scales_; ++k) {
+    whole_count_[k] = std::uint32_t(whole[k] - whole_[k].data());
+    corner_count_[k] = std::uint32_t(end[k] - corners_[k].data());
+  }
 }
 
 void BallEvaluator::add_whole_triangles(const Neighbourhood& near)
@@ -121,73 +139,48 @@ void BallEvaluator::add_whole_triangles(const Neighbourhood& near)
   }
 }
 
-void BallEvaluator::list_corners(const Neighbourhood& near)
-{
-  static constexpr std::uint32_t next[3] = {1, 2, 0}, previous[3] = {2, 0, 1};
-  for (std::vector<LocalCorner>& list : corners_)
-    if (list.size() <= cut_count_) list.resize(cut_count_ + 1);
-  std::array<LocalCorner*, limits::max_scales + 1> end;
-  for (std::uint32_t k = 0; k <= scales_; ++k) end[k] = corners_[k].data();
-  const std::int64_t* scale = scale_of_.data();
-  for (std::size_t i = 0; i < cut_count_; ++i) {
-    const std::uint32_t triangle = cut_[i];
-    const std::array<std::uint32_t, 3>& p = near.corners[triangle].corner;
-    const std::int64_t s[3] = {scale[p[0]], scale[p[1]], scale[p[2]]};
-    const std::uint8_t* order = order_of(s[0], s[1], s[2]);
-    const std::int64_t least = s[order[0]], median = s[order[1]], most = s[order[2]];
-    const auto list = [&](std::int64_t k) {
-      const std::int32_t is_outside = k >= median;
-      const std::uint32_t lone = order[2 * is_outside];
-      *end[std::size_t(k)] = {p[lone], p[next[lone]], p[previous[lone]], 1 - 2 * is_outside, triangle};
-      end[std::size_t(k)] += k < most ? 1 : 0;
-    };
-    // One or two scales as a rule, as good as at random: the second is written in any case and counted where it applies.
-    list(least);
-    list(least + 1);
-    for (std::int64_t k = least + 2; k < most; ++k) list(k);
-  }
-  for (std::uint32_t k = 0; k < scales_; ++k) corner_count_[k] = std::uint32_t(end[k] - corners_[k].data());
-}
-
 void BallEvaluator::add_listed_corners(const Neighbourhood& near, std::uint32_t k)
 {
-  const bool is_wide = k < near.all_narrow_scale;
-  const std::vector<LocalCorner>& list = corners_[k];
+  const LocalCorner* list = corners_[k].data();
   for (std::uint32_t i = 0; i < corner_count_[k]; ++i) {
-    batch_.push(point(list[i].lone), point(list[i].next), point(list[i].previous), list[i].sign);
-    if (batch_.is_full()) add_corners(batch_, radii_[k], pole_, is_wide, cuts_[k]);
+    const std::uint32_t* ring = near.corners[list[i].triangle()].ring.data() + list[i].vertex();
+    batch_.push(near.point(ring[0]), near.point(ring[1]), near.point(ring[2]), list[i].sign());
+    if (batch_.is_full()) add_corners(batch_, centre_, radii_[k], pole_, near.longest_edge, cuts_[k]);
   }
-  add_corners(batch_, radii_[k], pole_, is_wide, cuts_[k]);
+  add_corners(batch_, centre_, radii_[k], pole_, near.longest_edge, cuts_[k]);
   if (k >= near.all_small_scale) return;
-  for (std::uint32_t i = 0; i < corner_count_[k]; ++i)
-    if (k < near.corners[list[i].triangle].first_small_scale) add_curved_corner(list[i], k);
+  for (std::uint32_t i = 0; i < corner_count_[k]; ++i) {
+    const LocalCorners& corners = near.corners[list[i].triangle()];
+    if (k < corners.first_small_scale) add_curved_corner(corners, list[i], k);
+  }
 }
 
-void BallEvaluator::add_curved_corner(const LocalCorner& corner, std::uint32_t k)
+void BallEvaluator::add_curved_corner(const LocalCorners& corners, LocalCorner corner, std::uint32_t k)
 {
-  const Vec3 a = point(corner.lone), b = point(corner.next), c = point(corner.previous);
+  const std::uint32_t* ring = corners.ring.data() + corner.vertex();
+  const Vec3 a = point(ring[0]), b = point(ring[1]), c = point(ring[2]);
   const double radius = radii_[k];
   const Vec3 p = a + (b - a) * edge_crossing(a, b, radius), q = a + (c - a) * edge_crossing(a, c, radius);
-  cuts_[k].moments += curved_excess({a, b, c}, radius, 0, corner.sign > 0, {p, q});
+  cuts_[k].moments += curved_excess({a, b, c}, radius, 0, !corner.is_outside(), {p, q});
 }
 
 void BallEvaluator::add_large(const LocalCorners& corners, const LocalTriangle& triangle)
 {
   std::uint32_t end_scale = corners.first_small_scale;
-  for (const std::uint32_t corner : corners.corner) end_scale = std::min(end_scale, std::uint32_t(scale_of_[corner]));
+  for (int i = 0; i < 3; ++i) end_scale = std::min<std::uint32_t>(end_scale, scale_of_[corners.ring[i]]);
   if (end_scale == 0) return;
   // No point of a triangle is farther from its centroid than two thirds of the longest edge.
   const double distance = norm(triangle.centroid - centre_) - triangle.longest_edge * (2.0 / 3);
-  const std::array<Vec3, 3> v = {point(corners.corner[0]), point(corners.corner[1]), point(corners.corner[2])};
+  const std::array<Vec3, 3> v = {point(corners.ring[0]), point(corners.ring[1]), point(corners.ring[2])};
   if (distance >= radii_[end_scale - 1] || (is_border_ && touches_centre(v))) return;
-  std::int64_t first_scale = 0;
+  std::uint32_t first_scale = 0;
   if (same_sheet_) {
     // The triangle belongs to the sheet where it shares an edge with a triangle that does.
-    std::int64_t rim[3] = {rim_scale_[corners.corner[0]], rim_scale_[corners.corner[1]], rim_scale_[corners.corner[2]]};
+    std::uint8_t rim[3] = {rim_scale_[corners.ring[0]], rim_scale_[corners.ring[1]], rim_scale_[corners.ring[2]]};
     std::sort(rim, rim + 3);
     first_scale = rim[1];
   }
-  for (std::uint32_t k = std::uint32_t(first_scale); k < end_scale; ++k)
+  for (std::uint32_t k = first_scale; k < end_scale; ++k)
     if (distance < radii_[k]) cuts_[k].moments += curved_excess(v, radii_[k], -1, false, {});
 }
 

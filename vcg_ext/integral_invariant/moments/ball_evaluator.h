@@ -17,11 +17,36 @@ struct MissingSurface {
   double angle = 0, moment = 0;
 };
 
-/// A corner that a sphere cuts off a triangle: its vertex, alone inside (sign +1) or outside (−1), and the other two.
-struct LocalCorner {
-  std::uint32_t lone, next, previous;
-  std::int32_t sign;
+/// A corner that a sphere cuts off a triangle: the triangle, which of its vertices is alone, and whether that one is
+/// outside.
+class LocalCorner {
+ public:
+  LocalCorner() = default;
+  /// \param vertex_and_side twice the vertex, one more where that is outside
+  LocalCorner(std::uint32_t triangle, std::uint32_t vertex_and_side) : code_(triangle << 3 | vertex_and_side) {}
+
+  std::uint32_t triangle() const { return code_ >> 3; }
+  std::uint32_t vertex() const { return code_ >> 1 & 3; }
+  bool is_outside() const { return code_ & 1; }
+  /// Without a branch: sides are as good as random.
+  double sign() const { return 1 - 2 * double(code_ & 1); }
+
+ private:
+  std::uint32_t code_;
+};
+
+/// What follows from the first scales of a triangle's three vertices: from its second one on the triangle is whole, and from
+/// its least to before its largest one spheres cut a corner off. Corners as LocalCorner takes them.
+struct TriangleScales {
+  std::uint8_t least, median, most;
+  std::uint8_t corner_at_least, corner_after;  ///< that is cut off at the least scale, and at the next one
+  std::uint8_t is_cut, is_cut_again;           ///< whether there are such corners
+  std::uint8_t last_corner;                    ///< that is cut off at the scales before the largest
+};
+
+struct TouchedTriangle {
   std::uint32_t triangle;
+  TriangleScales scales;
 };
 
 /// Scratch memory and method for one worker.
@@ -35,13 +60,13 @@ class BallEvaluator {
 
  private:
   void clear();
-  void place(const Neighbourhood& near);
   void keep_own_sheet(const Neighbourhood& near, std::uint32_t centre);
-  void sort_triangles(const Neighbourhood& near);
+  void tabulate_scales();
+  void find_triangle_scales(const Neighbourhood& near);
+  void sort_triangles();
   void add_whole_triangles(const Neighbourhood& near);
-  void list_corners(const Neighbourhood& near);
   void add_listed_corners(const Neighbourhood& near, std::uint32_t scale);
-  void add_curved_corner(const LocalCorner& corner, std::uint32_t scale);
+  void add_curved_corner(const LocalCorners& corners, LocalCorner corner, std::uint32_t scale);
   void add_large(const LocalCorners& corners, const LocalTriangle& triangle);
   void add_free_edges(const Neighbourhood& near);
   void add_free_edge(const LocalFreeEdge& edge);
@@ -49,20 +74,23 @@ class BallEvaluator {
   void close_surface();
   bool touches_centre(const std::array<Vec3, 3>& triangle) const;
   void finish();
-  Vec3 point(std::uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
+  /// Relative to the balls' centre.
+  Vec3 point(std::uint32_t i) const { return near_->point(i) - centre_; }
 
   const std::vector<double> radii_;
   std::vector<double> squared_radii_;
   const std::uint32_t scales_;
   const bool same_sheet_;
   std::vector<std::vector<std::uint32_t>> queue_;        ///< same_sheet: points found, per scale
-  std::vector<std::int64_t> own_scale_, rim_scale_;      ///< same_sheet: first scale that reaches a point, or its ring
+  std::vector<std::uint8_t> own_scale_, rim_scale_;      ///< same_sheet: first scale that reaches a point, or its ring
+  const Neighbourhood* near_ = nullptr;
   Vec3 pole_, centre_;
-  std::vector<double> x_, y_, z_;           ///< local points relative to the balls' centre
-  std::vector<std::int64_t> scale_of_;      ///< per local point: the first scale whose ball holds it
+  std::vector<std::uint8_t> scale_of_;      ///< per local point: the first scale whose ball holds it
+  std::vector<TriangleScales> scales_table_;  ///< by the first scales of three vertices
+  std::vector<TouchedTriangle> touched_;
+  std::size_t touched_count_ = 0;
   std::vector<std::vector<std::uint32_t>> whole_;        ///< per scale: triangles whose second vertex is inside from it on
-  std::vector<std::uint32_t> whole_count_, cut_;         ///< and those that some sphere cuts
-  std::size_t cut_count_ = 0;
+  std::vector<std::uint32_t> whole_count_;
   std::vector<MomentSums> shells_;          ///< whole triangles, by the first scale that holds them
   std::vector<std::vector<LocalCorner>> corners_;       ///< per scale: what its sphere cuts off
   std::vector<std::uint32_t> corner_count_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 // One binary for old and new processors: the loader picks the clone. Elsewhere the compiler's default target is used.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
@@ -25,12 +24,11 @@ struct alignas(64) LaneSums {
   double real[lanes], imaginary[lanes];
 };
 
-/// θ/sin θ as a series in t = sin²(θ/2): Π 2j/(2j+1) t^k. The 17 terms are exact to 1e-15 up to t = 0.147, to 3e-11 up to
-/// t = 0.25, a chord of one radius: far under what is asked of "exact".
-inline double narrow_ratio(double t)
+/// θ/sin θ as a series in t = sin²(θ/2): Π 2j/(2j+1) t^k.
+template <int terms>
+inline double angle_ratio(double t)
 {
   double sum = 0;
-  constexpr int terms = 17;
   double factor[terms] = {1};
   for (int k = 1; k < terms; ++k) factor[k] = factor[k - 1] * (2.0 * k) / (2.0 * k + 1);
 #pragma GCC unroll 17
@@ -38,12 +36,27 @@ inline double narrow_ratio(double t)
   return sum;
 }
 
-/// The same for any t < 1: halving the angle twice brings t under 0.147.
-inline double wide_ratio(double t)
+/// The same for any t < 1: halving the angle twice brings t under 0.147, where 17 terms are exact to 1e-15.
+inline double any_angle_ratio(double t)
 {
   const double cosine = std::sqrt(std::fmax(1 - t, 1e-15)), half = t / (2 * (1 + cosine));
   const double half_cosine = std::sqrt(1 - half), quarter = half / (2 * (1 + half_cosine));
-  return narrow_ratio(quarter) / (cosine * half_cosine);
+  return angle_ratio<17>(quarter) / (cosine * half_cosine);
+}
+
+/// Enough for chords of any length.
+constexpr int any_terms = 0;
+/// Terms for chords of up to 1, 1/2 and 1/4 radius: the first one left out is 1e-11, 3e-13, 6e-14, far under what is
+/// asked of "exact".
+constexpr int terms_1 = 17, terms_2 = 10, terms_4 = 7;
+
+template <int terms>
+inline double ratio(double t)
+{
+  if constexpr (terms == any_terms)
+    return any_angle_ratio(t);
+  else
+    return angle_ratio<terms>(t);
 }
 
 /// As edge_crossing(): the form of the root that subtracts nothing, chosen without a branch.
@@ -57,20 +70,21 @@ inline double crossing(double along, double length2, double depth)
   return t < 1 ? t : 1;
 }
 
-template <bool wide>
-[[gnu::always_inline]] inline void add_groups(const CornerBatch& batch, double radius, const Vec3& pole, LaneSums& sums)
+template <int terms>
+[[gnu::always_inline]] inline void add_groups(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
 {
   const double r2 = radius * radius, inverse_r = 1 / radius, inverse_r2 = inverse_r * inverse_r;
   const double *ax = batch.column(0), *ay = batch.column(1), *az = batch.column(2);
   const double *bx = batch.column(3), *by = batch.column(4), *bz = batch.column(5);
   const double *cx = batch.column(6), *cy = batch.column(7), *cz = batch.column(8), *signs = batch.column(9);
+  const double ox = centre.x, oy = centre.y, oz = centre.z;
   const double nx = pole.x * inverse_r, ny = pole.y * inverse_r, nz = pole.z * inverse_r;
   for (std::size_t group = 0; group < batch.count(); group += lanes) {
     for (std::size_t j = 0; j < lanes; ++j) {
       const std::size_t i = group + j;
-      const double x = ax[i], y = ay[i], z = az[i], sign = signs[i];
-      const double ux = bx[i] - x, uy = by[i] - y, uz = bz[i] - z;
-      const double vx = cx[i] - x, vy = cy[i] - y, vz = cz[i] - z;
+      const double x = ax[i] - ox, y = ay[i] - oy, z = az[i] - oz, sign = signs[i];
+      const double ux = bx[i] - ax[i], uy = by[i] - ay[i], uz = bz[i] - az[i];
+      const double vx = cx[i] - ax[i], vy = cy[i] - ay[i], vz = cz[i] - az[i];
       const double depth = r2 - (x * x + y * y + z * z);
       const double t = crossing(x * ux + y * uy + z * uz, ux * ux + uy * uy + uz * uz, depth);
       const double s = crossing(x * vx + y * vy + z * vz, vx * vx + vy * vy + vz * vz, depth);
@@ -83,20 +97,23 @@ template <bool wide>
       const double sx = px + qx, sy = py + qy, sz = pz + qz;
       const double dx = px - qx, dy = py - qy, dz = pz - qz;
       const double half_sine2 = (dx * dx + dy * dy + dz * dz) * (0.25 * inverse_r2);
-      const double ratio = wide ? wide_ratio(half_sine2) : narrow_ratio(half_sine2);
       const double cosine2 = 1 - half_sine2;
-      const double arc = 3 * r2 * sign * ratio, pair = 2 * r2 * sign / (cosine2 > 1e-15 ? cosine2 : 1e-15);
-      const double gx = x + sx, gy = y + sy, gz = z + sz;
+      const double arc = 3 * r2 * sign * ratio<terms>(half_sine2), pair = 2 * r2 * sign / (cosine2 > 1e-15 ? cosine2 : 1e-15);
       sums.value[0][j] += cone;
-      sums.value[1][j] += cone * gx - arc * mx;
-      sums.value[2][j] += cone * gy - arc * my;
-      sums.value[3][j] += cone * gz - arc * mz;
-      sums.value[4][j] += cone * (x * x + px * px + qx * qx + gx * gx) - pair * (2 * mx * sx);
-      sums.value[5][j] += cone * (x * y + px * py + qx * qy + gx * gy) - pair * (mx * sy + my * sx);
-      sums.value[6][j] += cone * (x * z + px * pz + qx * qz + gx * gz) - pair * (mx * sz + mz * sx);
-      sums.value[7][j] += cone * (y * y + py * py + qy * qy + gy * gy) - pair * (2 * my * sy);
-      sums.value[8][j] += cone * (y * z + py * pz + qy * qz + gy * gz) - pair * (my * sz + mz * sy);
-      sums.value[9][j] += cone * (z * z + pz * pz + qz * qz + gz * gz) - pair * (2 * mz * sz);
+      sums.value[1][j] += cone * (x + sx) - arc * mx;
+      sums.value[2][j] += cone * (y + sy) - arc * my;
+      sums.value[3][j] += cone * (z + sz) - arc * mz;
+      // With e = a + s/2: aaᵀ + ppᵀ + qqᵀ + (a+s)(a+s)ᵀ = 2eeᵀ + ssᵀ + ½ddᵀ, and ssᵀ shares its factor with the arc's term.
+      const double ex = x + 0.5 * sx, ey = y + 0.5 * sy, ez = z + 0.5 * sz;
+      const double twice = 2 * cone, half = 0.5 * cone;
+      const double fx = twice * ex, fy = twice * ey, fz = twice * ez, gx = half * dx, gy = half * dy, gz = half * dz;
+      const double wx = half * sx - pair * mx, wy = half * sy - pair * my, wz = half * sz - pair * mz;
+      sums.value[4][j] += fx * ex + gx * dx + 2 * (wx * sx);
+      sums.value[5][j] += fx * ey + gx * dy + (wx * sy + wy * sx);
+      sums.value[6][j] += fx * ez + gx * dz + (wx * sz + wz * sx);
+      sums.value[7][j] += fy * ey + gy * dy + 2 * (wy * sy);
+      sums.value[8][j] += fy * ez + gy * dz + (wy * sz + wz * sy);
+      sums.value[9][j] += fz * ez + gz * dz + 2 * (wz * sz);
       // Halved, so that a product over a batch stays near 1 for arcs near the pole's equator.
       const double real = 0.5 * (nx * sx + ny * sy + nz * sz) + cosine2;
       const double imaginary = 0.5 * inverse_r * sign * (nx * mx + ny * my + nz * mz);
@@ -107,14 +124,24 @@ template <bool wide>
   }
 }
 
-II_VECTOR_CLONES void add_narrow(const CornerBatch& batch, double radius, const Vec3& pole, LaneSums& sums)
+II_VECTOR_CLONES void add_any_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
 {
-  add_groups<false>(batch, radius, pole, sums);
+  add_groups<any_terms>(batch, centre, radius, pole, sums);
 }
 
-II_VECTOR_CLONES void add_wide(const CornerBatch& batch, double radius, const Vec3& pole, LaneSums& sums)
+II_VECTOR_CLONES void add_long_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
 {
-  add_groups<true>(batch, radius, pole, sums);
+  add_groups<terms_1>(batch, centre, radius, pole, sums);
+}
+
+II_VECTOR_CLONES void add_short_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
+{
+  add_groups<terms_2>(batch, centre, radius, pole, sums);
+}
+
+II_VECTOR_CLONES void add_tiny_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
+{
+  add_groups<terms_4>(batch, centre, radius, pole, sums);
 }
 
 double sum_of(const double* lane)
@@ -125,8 +152,8 @@ double sum_of(const double* lane)
 }  // namespace
 
 II_VECTOR_CLONES
-void place_points(const double* x, const double* y, const double* z, std::size_t count, const Vec3& centre,
-                  const std::vector<double>& squared_radii, double* px, double* py, double* pz, std::int64_t* scale)
+void find_scales(const double* x, const double* y, const double* z, std::size_t count, const Vec3& centre,
+                 const std::vector<double>& squared_radii, std::uint8_t* scale)
 {
   const double* limits = squared_radii.data();
   const std::size_t scales = squared_radii.size();
@@ -136,47 +163,51 @@ void place_points(const double* x, const double* y, const double* z, std::size_t
     std::int64_t beyond[lanes] = {};
     for (std::size_t j = 0; j < lanes; ++j) {
       const double dx = x[group + j] - cx, dy = y[group + j] - cy, dz = z[group + j] - cz;
-      px[group + j] = dx;
-      py[group + j] = dy;
-      pz[group + j] = dz;
       d2[j] = dx * dx + dy * dy + dz * dz;
     }
     for (std::size_t k = 0; k < scales; ++k)
       for (std::size_t j = 0; j < lanes; ++j) beyond[j] += d2[j] > limits[k] ? 1 : 0;
-    for (std::size_t j = 0; j < lanes; ++j) scale[group + j] = beyond[j];
+    for (std::size_t j = 0; j < lanes; ++j) scale[group + j] = std::uint8_t(beyond[j]);
   }
 }
 
-void CornerBatch::pad(const Vec3& pole, double radius)
+void CornerBatch::pad(const Vec3& centre, const Vec3& pole, double radius)
 {
-  const Vec3 beyond = pole * (2 * radius);
-  while (count_ % lanes != 0) push({}, beyond, beyond, 0);
+  const Vec3 beyond = centre + pole * (2 * radius);
+  while (count_ % lanes != 0) push(centre, beyond, beyond, 0);
 }
 
-void add_corners(CornerBatch& batch, double radius, const Vec3& pole, bool wide, CornerSums& sums)
+void add_corners(CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, double longest_chord,
+                 CornerSums& sums)
 {
   if (batch.count() == 0) return;
-  batch.pad(pole, radius);
-  LaneSums lane_sums;
+  batch.pad(centre, pole, radius);
+  LaneSums lane;
   for (std::size_t j = 0; j < lanes; ++j) {
-    lane_sums.real[j] = 1;
-    lane_sums.imaginary[j] = 0;
+    lane.real[j] = 1;
+    lane.imaginary[j] = 0;
   }
-  wide ? add_wide(batch, radius, pole, lane_sums) : add_narrow(batch, radius, pole, lane_sums);
+  const auto add = longest_chord <= 0.25 * radius ? add_tiny_chords
+                   : longest_chord <= 0.5 * radius ? add_short_chords
+                   : longest_chord <= radius       ? add_long_chords
+                                                   : add_any_chords;
+  add(batch, centre, radius, pole, lane);
   batch.clear();
 
   double total[10];
-  for (std::size_t i = 0; i < 10; ++i) total[i] = sum_of(lane_sums.value[i]);
+  for (std::size_t i = 0; i < 10; ++i) total[i] = sum_of(lane.value[i]);
   constexpr double f = 1.0 / 24, s = 1.0 / 120;
   sums.moments += {total[0] / 6,
                    {f * total[1], f * total[2], f * total[3]},
                    {s * total[4], s * total[5], s * total[6], s * total[7], s * total[8], s * total[9]}};
-  std::complex<double> product = 1;
+  double real = 1, imaginary = 0;
   for (std::size_t j = 0; j < lanes; ++j) {
-    product *= std::complex<double>(lane_sums.real[j], lane_sums.imaginary[j]);
-    product *= 1 / std::max({std::abs(product.real()), std::abs(product.imag()), 1e-300});
+    const double scale = 1 / std::max(std::max(std::fabs(lane.real[j]), std::fabs(lane.imaginary[j])), 1e-300);
+    const double re = lane.real[j] * scale, im = lane.imaginary[j] * scale, old = real;
+    real = real * re - imaginary * im;
+    imaginary = old * im + imaginary * re;
   }
-  sums.half_area += std::arg(product);
+  sums.half_area += std::atan2(imaginary, real);
 }
 
 }  // namespace integral_invariant

@@ -15,28 +15,31 @@
 
 namespace integral_invariant {
 
-/// Writes the points relative to `centre` and their first scale, the number of squared radii that they lie beyond.
-/// Arrays of `count` rounded up to full lanes.
-void place_points(const double* x, const double* y, const double* z, std::size_t count, const Vec3& centre,
-                  const std::vector<double>& squared_radii, double* px, double* py, double* pz, std::int64_t* scale);
+/// Writes the first scale of every point, the number of squared radii that it lies beyond from `centre`. Arrays of
+/// `count`, a multiple of the lanes.
+void find_scales(const double* x, const double* y, const double* z, std::size_t count, const Vec3& centre,
+                 const std::vector<double>& squared_radii, std::uint8_t* scale);
 
 /// Corners that one sphere cuts off triangles, in columns: the lone vertex a, and b and c in the triangle's order.
 class CornerBatch {
  public:
-  static constexpr std::size_t lanes = 8, capacity = 64;
+  static constexpr std::size_t lanes = 8, capacity = 128;
 
   bool is_full() const { return count_ == capacity; }
   std::size_t count() const { return count_; }
   /// `sign` +1 where `a` alone is inside, −1 where it alone is outside.
   void push(const Vec3& a, const Vec3& b, const Vec3& c, double sign)
   {
-    const double values[columns] = {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, sign};
-    for (std::size_t i = 0; i < columns; ++i) column_[i][count_] = values[i];
+    const std::size_t i = count_;
+    column_[0][i] = a.x, column_[1][i] = a.y, column_[2][i] = a.z;
+    column_[3][i] = b.x, column_[4][i] = b.y, column_[5][i] = b.z;
+    column_[6][i] = c.x, column_[7][i] = c.y, column_[8][i] = c.z;
+    column_[9][i] = sign;
     ++count_;
   }
   void clear() { count_ = 0; }
-  /// Fills the last group up with corners that add nothing: sign 0, along the unit vector `pole`.
-  void pad(const Vec3& pole, double radius);
+  /// Fills the last group up with corners of the ball about `centre` that add nothing: sign 0, along the unit vector `pole`.
+  void pad(const Vec3& centre, const Vec3& pole, double radius);
 
   static constexpr std::size_t columns = 10;
   const double* column(std::size_t i) const { return column_[i].data(); }
@@ -53,9 +56,8 @@ struct CornerSums {
   double half_area = 0;  ///< half of the arcs' area about the pole
 };
 
-/// Adds the batch's corners and empties it. `wide`: some chord may be longer than `longest_narrow_chord` radii.
-void add_corners(CornerBatch& batch, double radius, const Vec3& pole, bool wide, CornerSums& sums);
-
-inline constexpr double longest_narrow_chord = 1.0;
+/// Adds the batch's corners of the ball about `centre` and empties it. No chord is longer than `longest_chord`.
+void add_corners(CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, double longest_chord,
+                 CornerSums& sums);
 
 }  // namespace integral_invariant

@@ -75,13 +75,13 @@ void Neighbourhood::connect_points()
 {
   neighbour_start.assign(x.size() + 1, 0);
   for (const LocalCorners& t : corners)
-    for (const std::uint32_t i : t.corner) neighbour_start[i + 1] += 2;
+    for (int i = 0; i < 3; ++i) neighbour_start[t.ring[i] + 1] += 2;
   std::partial_sum(neighbour_start.begin(), neighbour_start.end(), neighbour_start.begin());
   neighbours.resize(neighbour_start.back());
   std::vector<std::uint32_t> next(neighbour_start.begin(), neighbour_start.end() - 1);
   for (const LocalCorners& t : corners)
     for (int i = 0; i < 3; ++i)
-      for (const int other : {(i + 1) % 3, (i + 2) % 3}) neighbours[next[t.corner[i]]++] = t.corner[other];
+      for (const int other : {i + 1, i + 2}) neighbours[next[t.ring[i]]++] = t.ring[other];
 }
 
 NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii,
@@ -99,7 +99,8 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.centre = block_.centre;
   local_.corners.clear();
   local_.triangles.clear();
-  local_.all_small_scale = local_.all_narrow_scale = 0;
+  local_.all_small_scale = 0;
+  local_.longest_edge = 0;
   local_.leaves.clear();
   local_.large.clear();
   local_.free_edges.clear();
@@ -154,25 +155,26 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   const double reach = radii_.back() + block_.radius;
   t.longest_edge = std::sqrt(longest2);
   if (squared_norm(t.centroid) > (reach + t.longest_edge) * (reach + t.longest_edge)) return;
-  for (int i = 0; i < 3; ++i) corners.corner[i] = local(std::uint32_t(triangle[i]));
+  for (int i = 0; i < 3; ++i) corners.ring[i] = local(std::uint32_t(triangle[i]));
+  corners.ring[3] = corners.ring[0];
+  corners.ring[4] = corners.ring[1];
   t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
   t.spread = (outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid)) * (1.0 / 12);
-  corners.first_small_scale = scale_holding(t.longest_edge, small_edge_);
-  corners.first_narrow_scale = scale_holding(t.longest_edge, longest_narrow_chord);
+  corners.first_small_scale = first_small_scale(t.longest_edge);
   if (corners.first_small_scale > 0 &&
       norm(t.centroid) < radii_[corners.first_small_scale - 1] + block_.radius + t.longest_edge)
     local_.large.push_back(std::uint32_t(local_.corners.size()));
-  local_.all_small_scale = std::max<std::uint32_t>(local_.all_small_scale, corners.first_small_scale);
-  local_.all_narrow_scale = std::max<std::uint32_t>(local_.all_narrow_scale, corners.first_narrow_scale);
+  local_.all_small_scale = std::max(local_.all_small_scale, corners.first_small_scale);
+  local_.longest_edge = std::max(local_.longest_edge, t.longest_edge);
   local_.corners.push_back(corners);
   local_.triangles.push_back(t);
 }
 
-std::uint16_t NeighbourhoodGatherer::scale_holding(double edge, double share) const
+std::uint32_t NeighbourhoodGatherer::first_small_scale(double edge) const
 {
   std::size_t scale = 0;
-  while (scale < radii_.size() && edge > share * radii_[scale]) ++scale;
-  return std::uint16_t(scale);
+  while (scale < radii_.size() && edge > small_edge_ * radii_[scale]) ++scale;
+  return std::uint32_t(scale);
 }
 
 void NeighbourhoodGatherer::gather_free_edges()

@@ -34,11 +34,11 @@ class SurfaceTree {
   std::vector<bool> is_border_;
 };
 
-/// Corners of a triangle of a neighbourhood, by local points.
+/// Corners of a triangle of a neighbourhood, by local points; the first two again at the end, so that the three from
+/// any corner on lie side by side.
 struct LocalCorners {
-  std::array<std::uint32_t, 3> corner;
-  std::uint16_t first_small_scale;   ///< from this scale on the triangle's circular segments are left out
-  std::uint16_t first_narrow_scale;  ///< from this scale on its chords are at most longest_narrow_chord radii
+  std::array<std::uint32_t, 5> ring;
+  std::uint32_t first_small_scale;  ///< from this scale on the triangle's circular segments are left out
 };
 
 /// What the triangle's cone moments about any apex are made of.
@@ -67,7 +67,8 @@ struct Neighbourhood {
   std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
   std::vector<LocalCorners> corners;        ///< per triangle
   std::vector<LocalTriangle> triangles;
-  std::uint32_t all_small_scale = 0, all_narrow_scale = 0;  ///< largest of the triangles' first scales
+  std::uint32_t all_small_scale = 0;        ///< largest of the triangles' first scales
+  double longest_edge = 0;
   std::vector<LocalLeaf> leaves;
   std::vector<std::uint32_t> large;         ///< triangles that a sphere against which they are large may cut
   std::vector<LocalFreeEdge> free_edges;
@@ -95,8 +96,8 @@ class NeighbourhoodGatherer {
   /// Scale from which on all balls about the block hold the sphere, or −1 where some ball can cut it.
   int common_scale(const Sphere& sphere) const;
   void add_triangle(const Triangle& triangle);
-  /// First scale at which an edge is at most `share` of the radius.
-  std::uint16_t scale_holding(double edge, double share) const;
+  /// First scale against which an edge is small.
+  std::uint32_t first_small_scale(double edge) const;
   void gather_triangles();
   void gather_free_edges();
   void forget_points();

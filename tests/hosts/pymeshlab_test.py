@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""pymeshlab_test.py DOCUMENT PLUGIN MESH CORE: runs the document's Python example and compares its arrays with the core's."""
+
+import re
+import sys
+
+import numpy as np
+
+FILTER = "compute_curvature_by_integral_invariants_per_vertex"
+
+
+def example(document):
+    blocks = re.findall(r"```python\n(.*?)```", open(document, encoding="utf-8").read(), re.DOTALL)
+    assert len(blocks) == 1, "the document must have one Python example"
+    return blocks[0]
+
+
+def check_arrays(found, core):
+    kmax, kmin, radius, confidence, dirmax, dirmin = (core[:, 0], core[:, 1], core[:, 2], core[:, 3], core[:, 4:7], core[:, 7:])
+    for name, expected in (("k_max", kmax), ("k_min", kmin), ("radius", radius), ("confidence", confidence),
+                           ("dir_max", dirmax), ("dir_min", dirmin)):
+        actual = found[name]
+        assert actual.shape == expected.shape, (name, actual.shape)
+        error = np.abs(actual - expected).max() / np.abs(expected).max()
+        print(f"{name}: largest difference {error:.1e} of the largest value")
+        assert error < 1e-9, name
+    mesh = found["mesh"]
+    assert np.array_equal(mesh.vertex_curvature_principal_dir1_matrix(), found["dir_max"])
+    assert np.array_equal(mesh.vertex_curvature_principal_dir2_matrix(), found["dir_min"])
+    assert np.abs(found["quality"] - kmax * kmin).max() < 1e-9 * np.abs(kmax * kmin).max()
+
+
+def check_summary(summary, core):
+    assert summary["vertices"] == len(core)
+    assert summary["scales"] == 6
+    assert 0 < summary["converged"] <= len(core)
+    assert summary["low_confidence"] == 0
+    assert summary["seconds"] > 0
+    assert abs(summary["median_radius"] - np.median(core[:, 2])) < 1e-9
+    assert abs(summary["maximal_max"] - core[:, 0].max()) < 1e-9 * abs(core[:, 0].max())
+    assert abs(summary["gaussian_median"] - np.median(core[:, 0] * core[:, 1])) < 1e-9 * np.abs(core[:, 0]).max() ** 2
+
+
+def check_refusals(found):
+    import pymeshlab
+    for parameters, sentence in (({"alpha": -1.0}, "'alpha' is -1"), ({"scales": 0}, "'scales' is 0")):
+        try:
+            found["meshes"].apply_filter(FILTER, **parameters)
+        except pymeshlab.PyMeshLabException as error:
+            assert sentence in str(error), str(error)
+        else:
+            raise AssertionError(f"{parameters} was not refused")
+
+
+def main(document, plugin, mesh, core_file):
+    core = np.fromfile(core_file).reshape(-1, 10)
+    found = {}
+    sys.argv = ["example", plugin, mesh]
+    exec(compile(example(document), document, "exec"), found)  # pylint: disable=exec-used
+    check_arrays(found, core)
+    check_summary(found["summary"], core)
+    check_refusals(found)
+    print("PyMeshLab and the core agree")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The runner as users of later releases meet it: options, exit statuses, what it saves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "hosts/host.h"
+#include "support/shapes.h"
+
+namespace test_support {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ScriptRunner : public testing::Test {
+ protected:
+  void SetUp() override
+  {
+    if (!host_.unavailable.empty()) GTEST_SKIP() << host_.unavailable;
+    write_ply(folder_ / "mesh.ply", torus(1, 0.4, 30, 16));
+  }
+
+  ProgramResult run(const std::vector<std::string>& arguments) const
+  {
+    return run_program(runner_command(host_.release, arguments), folder_.path());
+  }
+
+  void expect_failure(const std::vector<std::string>& arguments, int status, const std::string& sentence) const
+  {
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.status, status) << result.output;
+    EXPECT_NE(result.output.find(sentence), std::string::npos) << "expected: " << sentence << "\noutput:\n" << result.output;
+    EXPECT_FALSE(fs::exists(folder_ / "saved.ply"));
+  }
+
+  std::string script(const std::string& text) const
+  {
+    write_text(folder_ / "script.mlx", "<!DOCTYPE FilterScript>\n<FilterScript>\n" + text + "\n</FilterScript>\n");
+    return folder_ / "script.mlx";
+  }
+
+  const Host host_ = find_host("2025.07");
+  const TemporaryFolder folder_;
+};
+
+const char* const invert = "<filter name=\"Invert Faces Orientation\"><Param type=\"RichBool\" name=\"forceFlip\" value=\"true\"/></filter>";
+
+TEST_F(ScriptRunner, RunsMeshLabsOwnFiltersWithDefaultsForWhatTheScriptLeavesOut)
+{
+  const ProgramResult result = run({"-i", "mesh.ply", "-s", script(invert), "-o", "saved.ply"});
+  ASSERT_EQ(result.status, 0) << result.output;
+  const TriangleMesh saved = read_ply(folder_ / "saved.ply").mesh(), mesh = read_ply(folder_ / "mesh.ply").mesh();
+  EXPECT_TRUE(integral_invariant::Surface(saved).report().inside_out);
+  EXPECT_EQ(saved.positions.size(), mesh.positions.size());
+}
+
+TEST_F(ScriptRunner, ConvertsWithoutAScript)
+{
+  ASSERT_EQ(run({"-i", "mesh.ply", "-o", "mesh.off"}).status, 0);
+  EXPECT_NE(read_text(folder_ / "mesh.off").substr(0, 5).find("OFF\n"), std::string::npos);
+  ASSERT_EQ(run({"-i", "mesh.off", "-o", "ascii.ply", "--ascii"}).status, 0);
+  EXPECT_NE(read_text(folder_ / "ascii.ply").find("format ascii"), std::string::npos);
+}
+
+TEST_F(ScriptRunner, SavesNamedAttributes)
+{
+  write_text(folder_ / "ours.mlx", filter_script({}));
+  const ProgramResult result =
+      run({"--plugin", host_.plugin, "-i", "mesh.ply", "-s", "ours.mlx", "-o", "saved.ply"});
+  ASSERT_EQ(result.status, 0) << result.output;
+  const PlyFile saved = read_ply(folder_ / "saved.ply");
+  EXPECT_EQ(saved.property("ii_radius"), saved.property("radius"));
+  EXPECT_NE(read_text(folder_ / "saved.ply").find("ii_dirmax"), std::string::npos);
+}
+
+TEST_F(ScriptRunner, QuietSaysNothing)
+{
+  EXPECT_EQ(run({"-q", "-i", "mesh.ply", "-s", script(invert), "-o", "saved.ply"}).output, "");
+}
+
+TEST_F(ScriptRunner, TellsHelpVersionAndFilters)
+{
+  for (const char* option : {"--help", "--version", "--list-filters"}) EXPECT_EQ(run({option}).status, 0) << option;
+  EXPECT_NE(run({"--help"}).output.find("Exit status"), std::string::npos);
+  EXPECT_NE(run({"--version"}).output.find("2025"), std::string::npos);
+  EXPECT_NE(run({"--list-filters"}).output.find("Invert Faces Orientation\n"), std::string::npos);
+}
+
+TEST_F(ScriptRunner, EndsWith1WhereAFilterFails)
+{
+  write_text(folder_ / "ours.mlx", with_value(filter_script({}), "alpha", "-3"));
+  expect_failure({"--plugin", host_.plugin, "-i", "mesh.ply", "-s", "ours.mlx", "-o", "saved.ply"}, 1, "'alpha'");
+}
+
+TEST_F(ScriptRunner, EndsWith2WhereTheCommandLineIsBad)
+{
+  expect_failure({}, 2, "No mesh was named");
+  expect_failure({"-i", "mesh.ply"}, 2, "Nothing was asked for");
+  expect_failure({"--colour"}, 2, "no option --colour");
+  expect_failure({"-i"}, 2, "needs a value");
+}
+
+TEST_F(ScriptRunner, EndsWith3WhereAPluginIsNotLoaded)
+{
+  expect_failure({"--plugin", "nothing.so", "--list-filters"}, 3, "nothing.so");
+  expect_failure({"--plugin-folder", "nowhere", "--list-filters"}, 3, "nowhere");
+}
+
+TEST_F(ScriptRunner, EndsWith4WhereAMeshIsNotRead)
+{
+  expect_failure({"-i", "nothing.ply", "-o", "saved.ply"}, 4, "there is no mesh file nothing.ply");
+  write_text(folder_ / "broken.ply", "no mesh");
+  expect_failure({"-i", "broken.ply", "-o", "saved.ply"}, 4, "broken.ply");
+  write_text(folder_ / "mesh.xyzzy", "no mesh");
+  expect_failure({"-i", "mesh.xyzzy", "-o", "saved.ply"}, 4, "mesh.xyzzy");
+}
+
+TEST_F(ScriptRunner, EndsWith5WhereAScriptCannotBeUsed)
+{
+  const auto with = [&](const std::string& file) {
+    return std::vector<std::string>{"-i", "mesh.ply", "-s", file, "-o", "saved.ply"};
+  };
+  expect_failure(with("nothing.mlx"), 5, "there is no script nothing.mlx");
+  expect_failure(with(script("")), 5, "no filter script");
+  expect_failure(with(script("<filter name=\"Make Coffee\"/>")), 5, "there is no filter 'Make Coffee'");
+  expect_failure(with(script("<filter name=\"Invert Faces Orientation\"><Param type=\"RichBool\" name=\"sugar\" value=\"true\"/></filter>")),
+                 5, "has no parameter 'sugar'");
+  expect_failure(with(script("<filter name=\"Invert Faces Orientation\"><Param type=\"RichInt\" name=\"forceFlip\" value=\"1\"/></filter>")),
+                 5, "'forceFlip'");
+}
+
+TEST_F(ScriptRunner, EndsWith6WhereTheOutputIsNotWritten)
+{
+  expect_failure({"-i", "mesh.ply", "-o", "mesh.xyzzy"}, 6, "format");
+  expect_failure({"-i", "mesh.ply", "-o", "nowhere/saved.ply"}, 6, "cannot write nowhere/saved.ply");
+}
+
+}  // namespace
+}  // namespace test_support
