@@ -52,13 +52,13 @@ void write_outcome(MeshType& mesh, const Outcome& outcome)
   });
 }
 
-/// Reads every parameter of the table from a host's parameter list, through its getters, which all hosts name alike.
+/// Reads every parameter of the filter's table from a host's parameter list, through its getters, which all hosts name alike.
 /// \throw ParameterError
 template <class ParameterList>
-Request read_request(const ParameterList& list)
+Request read_request(const ParameterList& list, FilterId filter = FilterId::curvature)
 {
   Request request;
-  for (const ParameterSpec& spec : parameter_table()) {
+  for (const ParameterSpec& spec : parameter_table(filter)) {
     switch (spec.kind) {
       case Kind::boolean: store(spec, list.getBool(spec.name), request); break;
       case Kind::integer: store(spec, list.getInt(spec.name), request); break;

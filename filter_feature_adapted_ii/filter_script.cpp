@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "help_text.h"
+#include "filters.h"
 
 namespace integral_invariant::filter {
 
@@ -77,40 +77,40 @@ std::string unit_text(const ParameterSpec& spec)
 
 }  // namespace
 
-void store_assignment(const std::string& assignment, Request& request)
+void store_assignment(const std::string& assignment, Request& request, FilterId filter)
 {
   const std::size_t equals = assignment.find('=');
   const std::string name = assignment.substr(0, equals);
-  const ParameterSpec* spec = find_parameter(name);
+  const ParameterSpec* spec = find_parameter(name, filter);
   if (equals == std::string::npos) throw ParameterError("'" + assignment + "' is not of the form name=value.");
   if (spec) return store_from_text(*spec, assignment.substr(equals + 1), request);
   std::string names;
-  for (const ParameterSpec& row : parameter_table()) names += (names.empty() ? "" : ", ") + std::string(row.name);
+  for (const ParameterSpec& row : parameter_table(filter)) names += (names.empty() ? "" : ", ") + std::string(row.name);
   throw ParameterError("There is no parameter '" + name + "'; the parameters are " + names + ".");
 }
 
-std::string filter_script(const Request& request)
+std::string filter_script(const Request& request, FilterId filter)
 {
-  std::string xml = "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter" + attribute("name", filter_name) + ">\n";
-  for (const ParameterSpec& spec : parameter_table())
+  std::string xml = "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter" + attribute("name", filter_facts(filter).name) + ">\n";
+  for (const ParameterSpec& spec : parameter_table(filter))
     xml += "  <Param" + attribute("type", mlx_type(spec.kind)) + attribute("name", spec.name) +
            attribute("value", value_text(spec, request)) + type_attributes(spec, request) + "/>\n";
   return xml + " </filter>\n</FilterScript>\n";
 }
 
-std::string parameter_documentation()
+std::string parameter_documentation(FilterId filter)
 {
   std::string text = "| Parameter | Default | Permitted | Unit | Meaning | Source |\n|---|---|---|---|---|---|\n";
-  for (const ParameterSpec& spec : parameter_table())
+  for (const ParameterSpec& spec : parameter_table(filter))
     text += "| `" + std::string(spec.name) + "` | " + default_text(spec) + " | " + range_text(spec) + " | " +
             unit_text(spec) + " | " + spec.label + ". " + spec.tip + " | " + spec.source + " |\n";
   return text;
 }
 
-std::string parameter_defaults()
+std::string parameter_defaults(FilterId filter)
 {
   std::string text;
-  for (const ParameterSpec& spec : parameter_table()) text += std::string(spec.name) + "=" + value_text(spec, Request{}) + "\n";
+  for (const ParameterSpec& spec : parameter_table(filter)) text += std::string(spec.name) + "=" + value_text(spec, Request{}) + "\n";
   return text;
 }
 

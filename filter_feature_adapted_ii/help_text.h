@@ -11,4 +11,7 @@ inline constexpr const char* python_name = "compute_curvature_by_integral_invari
 /// The help of the filter in simple HTML: method, conventions, formula, references.
 extern const char* const help_text;
 
+/// Those of the other filters.
+extern const char *const ridge_valley_help, *const crest_line_help, *const direction_help, *const signature_help;
+
 }  // namespace integral_invariant::filter

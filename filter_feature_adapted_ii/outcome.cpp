@@ -7,17 +7,16 @@
 
 namespace integral_invariant::filter {
 
-namespace {
-
-constexpr float low_confidence = 0.5F;
-
-/// Four significant digits.
 std::string short_number(double value)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
+
+namespace {
+
+constexpr float low_confidence = 0.5F;
 
 std::string seconds_text(double seconds)
 {
@@ -95,6 +94,8 @@ void add_defect_line(const Result& result, std::vector<std::string>& lines)
   if (!text.empty()) lines.push_back("Note: " + text);
 }
 
+}  // namespace
+
 std::string time_line(const Result& result)
 {
   std::string text = "Time: " + seconds_text(total_seconds(result));
@@ -106,7 +107,15 @@ std::string time_line(const Result& result)
   return result.stages.empty() ? text : text + ")";
 }
 
-}  // namespace
+std::vector<std::string> run_lines(const Result& result)
+{
+  std::vector<std::string> lines{surface_line(result)};
+  add_scale_lines(result, lines);
+  lines.push_back("Engine: " + result.engine);
+  if (!result.radius.empty()) lines.push_back(convergence_line(result));
+  add_defect_line(result, lines);
+  return lines;
+}
 
 Outcome make_outcome(Result result, const OutputOptions& options)
 {

@@ -13,6 +13,12 @@
 
 namespace integral_invariant::filter {
 
+/// One number a vertex under the name that hosts and files know it by.
+struct NamedValues {
+  std::string name;
+  std::vector<float> values;
+};
+
 struct Outcome {
   Result result;
   Quantity quantity = Quantity::mean;
@@ -34,6 +40,13 @@ std::vector<std::string> summary_lines(const Outcome& outcome);
 /// seconds, ..., and for each quantity <key>_min, _p5, _median, _p95, _max.
 using SummaryValue = std::variant<int, double, std::string>;
 std::vector<std::pair<std::string, SummaryValue>> summary_values(const Outcome& outcome);
+
+/// The part of the log that says what was measured and how: mesh, scales, engine, convergence, defects; and the last line.
+std::vector<std::string> run_lines(const Result& result);
+std::string time_line(const Result& result);
+
+/// Four significant digits, as the log writes numbers.
+std::string short_number(double value);
 
 /// Vertices whose ball had less than half of its surface.
 std::size_t low_confidence_count(const Result& result);

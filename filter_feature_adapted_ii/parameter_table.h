@@ -1,42 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Host layer, without any host: the one table of the filter's parameters. The dialogs, the filter scripts, the
+// Host layer, without any host: the tables of the filters' parameters. The dialogs, the filter scripts, the
 // documentation and the validation of what scripts hand over all come from it.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "integral_invariant/parameters.h"
 #include "integral_invariant/support/error.h"
+#include "request.h"
 
 namespace integral_invariant::filter {
 
-/// What goes into the quality of the vertices.
-enum class Quantity {
-  mean = 0,              ///< (κ_max + κ_min) / 2
-  gaussian = 1,          ///< κ_max κ_min
-  maximal = 2,           ///< κ_max
-  minimal = 3,           ///< κ_min
-  shape_index = 4,       ///< (2/π) atan2(κ_max + κ_min, κ_max − κ_min), from -1 (cup) to 1 (cap)
-  curvedness = 5,        ///< sqrt((κ_max² + κ_min²) / 2)
-  radius = 6,            ///< the radius of the vertex's ball
-  largest_absolute = 7,  ///< max(|κ_max|, |κ_min|), a magnitude without sign
-};
-inline constexpr int quantity_count = 8;
-
-/// What is done with the curvatures; the rest of a request is integral_invariant::Parameters.
-struct OutputOptions {
-  Quantity quality = Quantity::mean;
-  bool colorize = true;
-  double color_percentile = 95;  ///< how many per cent of the vertices lie inside the colour range, in [50, 100]
-  std::string export_file;       ///< PLY with every output; empty: none
-};
-
-/// Everything that the filter can be asked.
-struct Request {
-  Parameters method;
-  OutputOptions output;
-};
+/// The filters of the plugin.
+enum class FilterId { curvature = 0, ridges_and_valleys, crest_lines, principal_directions, signature };
+inline constexpr int filter_count = 5;
 
 enum class Kind { boolean, integer, real, length, choice, save_file };
 
@@ -55,11 +32,11 @@ struct ParameterSpec {
   void (*set)(Request&, double);
 };
 
-/// All parameters, in the order of the dialog.
-const std::vector<ParameterSpec>& parameter_table();
+/// All parameters of a filter, in the order of the dialog.
+const std::vector<ParameterSpec>& parameter_table(FilterId filter = FilterId::curvature);
 
 /// The row of that name, or null.
-const ParameterSpec* find_parameter(const std::string& name);
+const ParameterSpec* find_parameter(const std::string& name, FilterId filter = FilterId::curvature);
 
 /// The value of an unchanged request: the default stands once, in Parameters and OutputOptions.
 double default_value(const ParameterSpec& spec);

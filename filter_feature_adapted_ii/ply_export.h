@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the mesh with every output of the filter as a property of its vertices, through VCG's PLY exporter.
+// Writes the mesh with every output of the filter as a property of its vertices, through VCG's PLY exporter;
+// and polylines as edges.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "integral_invariant/surface.h"
 #include "outcome.h"
 
 namespace integral_invariant::filter {
 
-/// Binary PLY: x y z, red green blue alpha (where the outcome is coloured), quality, ii_kmax, ii_kmin, ii_radius,
-/// ii_confidence, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are. Written under a temporary name and renamed, so
+/// What goes into a file beside the mesh; empty: nothing of that kind. Entries a vertex in its order.
+struct PlyContents {
+  std::vector<std::array<std::int32_t, 2>> edges;
+  std::vector<double> quality;
+  std::vector<Color> colors;
+  std::vector<NamedValues> properties;
+};
+
+/// Binary PLY of the mesh (which may have no triangles) with those contents. Written under a temporary name and renamed, so
 /// that a failure leaves an older file as it was.
 /// \return the absolute path. \throw InputError where it cannot be written
+std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, const std::string& path);
+
+/// The same of a run: x y z, red green blue alpha (where the outcome is coloured), quality, ii_kmax, ii_kmin, ii_radius,
+/// ii_confidence, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are.
 std::string export_ply(const TriangleMesh& mesh, const Outcome& outcome, const std::string& path);
 
 /// \throw InputError unless a file can be made in the folder of `path`: tells the user before the long computation

@@ -5,23 +5,42 @@
 #include <vector>
 
 #include "filter_script.h"
+#include "filters.h"
 
 namespace {
 
 constexpr const char* usage =
-    "Usage: write_filter_script [NAME=VALUE ...]   print a MeshLab filter script (.mlx) with every parameter\n"
-    "       write_filter_script --list             print NAME=DEFAULT of every parameter\n"
-    "       write_filter_script --describe         print the parameters as a Markdown table\n";
+    "Usage: write_filter_script [--filter FILTER] [NAME=VALUE ...]   print a MeshLab filter script (.mlx) with every\n"
+    "                                                                parameter of the filter\n"
+    "       write_filter_script [--filter FILTER] --list             print NAME=DEFAULT of every parameter\n"
+    "       write_filter_script [--filter FILTER] --describe         print the parameters as a Markdown table\n"
+    "       write_filter_script --filters                            print the names that FILTER can be\n";
 
-std::string answer(const std::vector<std::string>& arguments)
+std::string filter_names()
+{
+  std::string text;
+  for (int i = 0; i < integral_invariant::filter::filter_count; ++i) {
+    const auto& facts = integral_invariant::filter::filter_facts(static_cast<integral_invariant::filter::FilterId>(i));
+    text += std::string(facts.python_name) + "\t" + facts.name + "\n";
+  }
+  return text;
+}
+
+std::string answer(std::vector<std::string> arguments)
 {
   using namespace integral_invariant::filter;
+  FilterId filter = FilterId::curvature;
+  if (arguments.size() >= 2 && arguments[0] == "--filter") {
+    filter = find_filter(arguments[1]);
+    arguments.erase(arguments.begin(), arguments.begin() + 2);
+  }
+  if (arguments.size() == 1 && arguments[0] == "--filters") return filter_names();
   if (arguments.size() == 1 && arguments[0] == "--help") return usage;
-  if (arguments.size() == 1 && arguments[0] == "--list") return parameter_defaults();
-  if (arguments.size() == 1 && arguments[0] == "--describe") return parameter_documentation();
+  if (arguments.size() == 1 && arguments[0] == "--list") return parameter_defaults(filter);
+  if (arguments.size() == 1 && arguments[0] == "--describe") return parameter_documentation(filter);
   Request request;
-  for (const std::string& assignment : arguments) store_assignment(assignment, request);
-  return filter_script(request);
+  for (const std::string& assignment : arguments) store_assignment(assignment, request, filter);
+  return filter_script(request, filter);
 }
 
 }  // namespace

@@ -12,18 +12,25 @@ _TYPES = {
 
 def read_ply(path):
     """Returns (vertices, triangles): a dict from property name to an array of n, and an m × 3 array of indices."""
+    elements = read_elements(path)
+    faces = elements.get("face", {})
+    triangles = next((c for key, c in faces.items() if key in ("vertex_indices", "vertex_index")), None)
+    return elements.get("vertex", {}), np.zeros((0, 3), dtype=np.int64) if triangles is None else triangles
+
+
+def read_edges(path):
+    """An array of k × 2 indices; k is 0 where the file has no edges."""
+    edges = read_elements(path).get("edge")
+    return np.zeros((0, 2), dtype=np.int64) if edges is None else np.column_stack([edges["vertex1"], edges["vertex2"]])
+
+
+def read_elements(path):
+    """All elements by name, each a dict from property name to an array."""
     with open(path, "rb") as file:
         byte_order, elements = _read_header(file, path)
         body = file.read()
     reader = _AsciiBody(body) if byte_order is None else _BinaryBody(body, byte_order)
-    vertices, triangles = {}, np.zeros((0, 3), dtype=np.int64)
-    for name, count, properties in elements:
-        columns = reader.read(count, properties)
-        if name == "vertex":
-            vertices = columns
-        elif name == "face":
-            triangles = next(c for key, c in columns.items() if key in ("vertex_indices", "vertex_index"))
-    return vertices, triangles
+    return {name: reader.read(count, properties) for name, count, properties in elements}
 
 
 def _read_header(file, path):

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api_2021_05.h"
 
-#include "../filter_body.h"
 #include "../help_text.h"
-#include "rich_parameters.h"
+#include "run_filter.h"
 
 namespace ii = integral_invariant::filter;
 
 namespace {
 
+/// Our enumeration and FilterId count alike.
+ii::FilterId filter_of(int type) { return static_cast<ii::FilterId>(type); }
+
 /// The summary as PyMeshLab's apply_filter() returns it.
-std::map<std::string, QVariant> output_map(const ii::Outcome& outcome)
+std::map<std::string, QVariant> output_map(const ii::RunReport& report)
 {
 	std::map<std::string, QVariant> map;
 	const auto to_variant = [](const auto& value) {
 		if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) return QVariant(QString::fromStdString(value));
 		else return QVariant(value);
 	};
-	for (const auto& [name, value] : ii::summary_values(outcome)) map[name] = std::visit(to_variant, value);
+	for (const auto& [name, value] : report.values) map[name] = std::visit(to_variant, value);
 	return map;
 }
 
@@ -25,53 +27,60 @@ std::map<std::string, QVariant> output_map(const ii::Outcome& outcome)
 
 FilterFeatureAdaptedIIPlugin::FilterFeatureAdaptedIIPlugin()
 {
-	typeList = {FP_CURVATURE_INTEGRAL_INVARIANT};
+	typeList = {FP_CURVATURE_INTEGRAL_INVARIANT, FP_SELECT_RIDGES_VALLEYS, FP_CREST_LINES_LAYER,
+	            FP_PRINCIPAL_DIRECTION_LAYER, FP_INTEGRAL_INVARIANT_SIGNATURE};
 	for (ActionIDType type : types())
 		actionList.push_back(new QAction(filterName(type), this));
 }
 
 QString FilterFeatureAdaptedIIPlugin::pluginName() const { return ii::plugin_name; }
 QString FilterFeatureAdaptedIIPlugin::vendor() const { return ii::plugin_name; }
-QString FilterFeatureAdaptedIIPlugin::filterName(ActionIDType) const { return ii::filter_name; }
-QString FilterFeatureAdaptedIIPlugin::pythonFilterName(ActionIDType) const { return ii::python_name; }
-QString FilterFeatureAdaptedIIPlugin::filterInfo(ActionIDType) const { return ii::help_text; }
+QString FilterFeatureAdaptedIIPlugin::filterName(ActionIDType type) const { return ii::filter_facts(filter_of(type)).name; }
+QString FilterFeatureAdaptedIIPlugin::pythonFilterName(ActionIDType type) const { return ii::filter_facts(filter_of(type)).python_name; }
+QString FilterFeatureAdaptedIIPlugin::filterInfo(ActionIDType type) const { return ii::filter_facts(filter_of(type)).help; }
 
-FilterPlugin::FilterClass FilterFeatureAdaptedIIPlugin::getClass(const QAction*) const
+FilterPlugin::FilterClass FilterFeatureAdaptedIIPlugin::getClass(const QAction* action) const
 {
-	return FilterClass(Normal + VertexColoring);
+	switch (ID(action)) {
+	case FP_SELECT_RIDGES_VALLEYS: return FilterClass(Selection + VertexColoring);
+	case FP_CREST_LINES_LAYER:
+	case FP_PRINCIPAL_DIRECTION_LAYER: return FilterClass(Layer + Normal);
+	case FP_INTEGRAL_INVARIANT_SIGNATURE: return FilterClass(Quality + VertexColoring);
+	default: return FilterClass(Normal + VertexColoring);
+	}
 }
 
 FilterPlugin::FilterArity FilterFeatureAdaptedIIPlugin::filterArity(const QAction*) const { return SINGLE_MESH; }
 int FilterFeatureAdaptedIIPlugin::getPreConditions(const QAction*) const { return MeshModel::MM_FACENUMBER; }
-int FilterFeatureAdaptedIIPlugin::postCondition(const QAction*) const { return ii::written_fields(); }
+int FilterFeatureAdaptedIIPlugin::postCondition(const QAction* action) const
+{
+	return ii::written_fields(filter_of(ID(action)));
+}
 
-RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction*, const MeshDocument& document)
+
+RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction* action, const MeshDocument& document)
 {
 	RichParameterList list;
-	ii::add_parameters(document.mm() ? document.mm()->cm.bbox.Diag() : 0, list);
+	ii::add_parameters(filter_of(ID(action)), document.mm() ? document.mm()->cm.bbox.Diag() : 0, list);
 	return list;
 }
 
-RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction*, const MeshModel& mesh)
+RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction* action, const MeshModel& mesh)
 {
 	RichParameterList list;
-	ii::add_parameters(mesh.cm.bbox.Diag(), list);
+	ii::add_parameters(filter_of(ID(action)), mesh.cm.bbox.Diag(), list);
 	return list;
 }
 
 std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(
-	const QAction*, const RichParameterList& parameters, MeshDocument& document, unsigned int& postConditionMask,
+	const QAction* action, const RichParameterList& parameters, MeshDocument& document, unsigned int& postConditionMask,
 	vcg::CallBackPos* callback)
 {
 	try {
-		MeshModel* mesh = document.mm();
-		if (!mesh) throw integral_invariant::InputError("There is no mesh to measure.");
-		const ii::Outcome outcome = ii::measure(mesh->cm, ii::read_request(parameters), ii::progress_of(callback));
-		mesh->updateDataMask(ii::written_fields(outcome.colorize));
-		ii::write_outcome(mesh->cm, outcome);
-		postConditionMask = ii::written_fields(outcome.colorize);
-		for (const std::string& line : ii::summary_lines(outcome)) log(line);
-		return output_map(outcome);
+		const ii::RunReport report = ii::run_filter(filter_of(ID(action)), document, parameters, ii::progress_of(callback));
+		postConditionMask = unsigned(report.written);
+		for (const std::string& line : report.log) log(line);
+		return output_map(report);
 	}
 	catch (const std::exception& error) {
 		throw MLException(ii::failure_text(error).c_str());

@@ -59,11 +59,11 @@ inline void add_parameter(const ParameterSpec& spec, double diagonal, RichParame
 }
 
 /// The dialog: percentages are of `diagonal`.
-inline void add_parameters(double diagonal, RichParameterList& list)
+inline void add_parameters(FilterId filter, double diagonal, RichParameterList& list)
 {
   // Without a mesh there is nothing to take a percentage of; an empty range would divide by zero.
   const double range = diagonal > 0 ? diagonal : 1;
-  for (const ParameterSpec& spec : parameter_table()) add_parameter(spec, range, list);
+  for (const ParameterSpec& spec : parameter_table(filter)) add_parameter(spec, range, list);
 }
 
 /// A sentence for the user.

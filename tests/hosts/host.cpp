@@ -16,10 +16,10 @@ namespace {
 
 namespace filter = integral_invariant::filter;
 
-filter::Request request_of(const Assignments& assignments)
+filter::Request request_of(const Assignments& assignments, filter::FilterId id = filter::FilterId::curvature)
 {
   filter::Request request;
-  for (const std::string& assignment : assignments) filter::store_assignment(assignment, request);
+  for (const std::string& assignment : assignments) filter::store_assignment(assignment, request, id);
   return request;
 }
 
@@ -60,7 +60,10 @@ Host find_host(const std::string& release)
   return host;
 }
 
-std::string filter_script(const Assignments& assignments) { return filter::filter_script(request_of(assignments)); }
+std::string filter_script(const Assignments& assignments, filter::FilterId filter)
+{
+  return filter::filter_script(request_of(assignments, filter), filter);
+}
 
 std::string with_value(std::string script, const std::string& parameter, const std::string& value)
 {

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 
+#include "filters.h"
 #include "parameter_table.h"
 #include "support/shapes.h"
 
@@ -58,7 +59,7 @@ class Plugin : public testing::Test {
   {
     filter_ = load_plugin();
     ASSERT_NE(filter_, nullptr);
-    ASSERT_EQ(filter_->actions().size(), 1);
+    ASSERT_EQ(filter_->actions().size(), integral_invariant::filter::filter_count);
     filter_->setLog(&log_);
   }
 
@@ -98,6 +99,54 @@ TEST_F(Plugin, SaysWhatItIs)
   EXPECT_TRUE(filter_->getClass(action()) & MeshFilterInterface::Normal);
   EXPECT_TRUE(filter_->getClass(action()) & MeshFilterInterface::VertexColoring);
   EXPECT_TRUE(filter_->filterInfo(action()).contains("Lai"));
+}
+
+TEST_F(Plugin, FiltersOfFeaturesListTheirParametersAndRefuseWithoutAMesh)
+{
+  for (QAction* feature : filter_->actions()) {
+    const auto filter = static_cast<integral_invariant::filter::FilterId>(filter_->ID(feature));
+    EXPECT_EQ(filter_->filterName(feature), integral_invariant::filter::filter_facts(filter).name);
+    MeshDocument document;
+    RichParameterList list;
+    filter_->initParameterSet(feature, document, list);
+    EXPECT_EQ(std::size_t(list.size()), integral_invariant::filter::parameter_table(filter).size());
+    EXPECT_FALSE(filter_->applyFilter(feature, document, list, obedient));
+  }
+}
+
+TEST_F(Plugin, SelectsFeaturesAroundDeletedElements)
+{
+  MeshDocument document;
+  add_sphere(document);
+  QAction* feature = filter_->actions()[1];
+  RichParameterList list;
+  filter_->initParameterSet(feature, document, list);
+  list.setValue("threshold", EnumValue(1));
+  list.setValue("high_curvature", FloatValue(0.5));
+  ASSERT_TRUE(filter_->applyFilter(feature, document, list, obedient)) << filter_->errorMsg().toStdString();
+  const CMeshO& mesh = document.mm()->cm;
+  for (std::size_t v = 1; v < mesh.vert.size(); ++v) EXPECT_TRUE(mesh.vert[v].IsS());
+  for (std::size_t f = 1; f < mesh.face.size(); ++f) EXPECT_TRUE(mesh.face[f].IsS());
+}
+
+TEST_F(Plugin, NewLayersStandWhereTheMeshStands)
+{
+  MeshDocument document;
+  add_sphere(document);
+  CMeshO& mesh = document.mm()->cm;
+  for (auto& vertex : mesh.vert) vertex.P()[0] *= 2;
+  mesh.Tr.SetTranslate(Point3m(1, 2, 3));
+  const Matrix44m transform = mesh.Tr;
+  QAction* feature = filter_->actions()[3];
+  RichParameterList list;
+  filter_->initParameterSet(feature, document, list);
+  ASSERT_TRUE(filter_->applyFilter(feature, document, list, obedient)) << filter_->errorMsg().toStdString();
+  ASSERT_EQ(document.meshList.size(), 2);
+  const MeshModel& layer = *document.meshList[1];
+  EXPECT_EQ(layer.cm.Tr, transform);
+  EXPECT_GT(layer.cm.en, 100);
+  EXPECT_FALSE(layer.cm.bbox.IsNull());
+  EXPECT_TRUE(vcg::tri::HasPerVertexAttribute(layer.cm, std::string("ii_line")));
 }
 
 TEST_F(Plugin, ListsItsParametersWithoutAMesh)

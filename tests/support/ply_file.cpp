@@ -89,6 +89,8 @@ void read_row(std::istream& in, const Element& element, bool ascii, PlyFile& fil
     if (property.count_type.empty()) {
       const double value = read_value(in, property.type, ascii);
       if (element.name == "vertex") file.vertex[property.name].push_back(value);
+      if (element.name == "edge" && property.name == "vertex1") file.edges.push_back({std::int32_t(value), 0});
+      if (element.name == "edge" && property.name == "vertex2") file.edges.back()[1] = std::int32_t(value);
       continue;
     }
     std::vector<std::int32_t> values(std::size_t(read_value(in, property.count_type, ascii)));

@@ -2,6 +2,8 @@
 // PLY files without VCG, so that what VCG wrote is read by other code.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,10 +16,11 @@ using integral_invariant::Triangle;
 using integral_invariant::TriangleMesh;
 using integral_invariant::Vec3;
 
-/// Vertex properties by name, each with one value a vertex, and the faces, cut into triangles.
+/// Vertex properties by name, each with one value a vertex, the faces, cut into triangles, and the edges.
 struct PlyFile {
   std::map<std::string, std::vector<double>> vertex;
   std::vector<Triangle> triangles;
+  std::vector<std::array<std::int32_t, 2>> edges;
 
   /// \throw std::runtime_error with the names that there are
   const std::vector<double>& property(const std::string& name) const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "filters.h"
 #include "help_text.h"
 
 namespace integral_invariant::filter {
@@ -31,6 +32,20 @@ TEST(FilterScript, HasWhatMeshLabAsksOfEachType)
   EXPECT_TRUE(contains(xml, "name=\"radius_choice\" value=\"0\" enum_cardinality=\"2\""));
   EXPECT_TRUE(contains(xml, "<Param type=\"RichFloat\" name=\"alpha\" value=\"0.9\"/>"));
   EXPECT_TRUE(contains(xml, "<Param type=\"RichSaveFile\" name=\"export_file\" value=\"\" ext=\"*.ply\"/>"));
+}
+
+TEST(FilterScript, IsWrittenForEveryFilterUnderEitherOfItsNames)
+{
+  for (int i = 0; i < filter_count; ++i) {
+    const auto filter = static_cast<FilterId>(i);
+    EXPECT_EQ(find_filter(filter_facts(filter).name), filter);
+    EXPECT_EQ(find_filter(filter_facts(filter).python_name), filter);
+    const std::string xml = filter_script({}, filter);
+    EXPECT_TRUE(contains(xml, std::string("<filter name=\"") + filter_facts(filter).name + "\">"));
+    for (const ParameterSpec& spec : parameter_table(filter))
+      EXPECT_TRUE(contains(xml, std::string(" name=\"") + spec.name + "\"")) << spec.name;
+  }
+  EXPECT_THROW(find_filter("no such filter"), ParameterError);
 }
 
 TEST(FilterScript, EscapesFileNames)

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Principal directions as segments, and the seeding of lines of curvature.
+#include "integral_invariant/features/direction_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+
+#include "integral_invariant/features/line_tracer.h"
+#include "integral_invariant/features/point_grid.h"
+
+namespace integral_invariant {
+
+namespace {
+
+constexpr double automatic_spacing = 3;        ///< ē
+constexpr double automatic_segment = 0.8;      ///< of the spacing
+constexpr double automatic_minimum = 2;        ///< of the spacing
+/// A seed may be a little nearer than the spacing: space is shorter than the way over a bent surface.
+constexpr double seed_tolerance = 0.85;
+
+double spacing_of(const DirectionParameters& p, double unit)
+{
+  return p.spacing > 0 ? p.spacing / unit : automatic_spacing;
+}
+
+std::vector<double> anisotropies(const CurvatureField& field)
+{
+  const double typical = typical_curvature(field);
+  std::vector<double> values(field.size());
+  for (std::size_t v = 0; v < values.size(); ++v) values[v] = anisotropy(field.kappa_max[v], field.kappa_min[v], typical);
+  return values;
+}
+
+/// Triangles by falling anisotropy of their centre.
+std::vector<std::uint32_t> clearest_first(const std::vector<Triangle>& triangles, const std::vector<double>& clarity)
+{
+  std::vector<double> sum(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    sum[t] = clarity[triangles[t][0]] + clarity[triangles[t][1]] + clarity[triangles[t][2]];
+  std::vector<std::uint32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return sum[a] > sum[b]; });
+  return order;
+}
+
+void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from,
+                  std::vector<CurvatureLine>& lines)
+{
+  std::deque<WalkState> beside;
+  const auto try_seed = [&](const WalkState& seed) {
+    if (!seed.is_on_surface() || !tracer.has_room(seed, seed_tolerance)) return;
+    CurvatureLine line;
+    if (!tracer.trace(seed, line)) return;
+    for (const WalkState& next : tracer.seeds_beside()) beside.push_back(next);
+    lines.push_back(std::move(line));
+  };
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (; !beside.empty(); beside.pop_front()) try_seed(beside.front());
+    if (i % 4096 == 0) execution.report(from + 0.5 * double(i) / double(order.size()));
+    try_seed({std::int32_t(order[i]), {1.0 / 3, 1.0 / 3, 1.0 / 3}, {}});
+  }
+}
+
+}  // namespace
+
+double anisotropy(double kappa_max, double kappa_min, double typical)
+{
+  const double size = std::hypot(std::max(std::abs(kappa_max), std::abs(kappa_min)), typical);
+  return size > 0 ? (kappa_max - kappa_min) / size : 0;
+}
+
+double typical_curvature(const CurvatureField& field)
+{
+  if (field.size() == 0) return 0;
+  std::vector<double> largest(field.size());
+  for (std::size_t v = 0; v < largest.size(); ++v)
+    largest[v] = std::max(std::abs(field.kappa_max[v]), std::abs(field.kappa_min[v]));
+  const auto middle = largest.begin() + std::ptrdiff_t(largest.size() / 2);
+  std::nth_element(largest.begin(), middle, largest.end());
+  return *middle;
+}
+
+std::vector<DirectionSegment> direction_segments(const Surface& surface, const CurvatureField& field,
+                                                 const DirectionParameters& p)
+{
+  const double spacing = spacing_of(p, surface.unit());
+  const double length = p.segment_length > 0 ? p.segment_length : automatic_segment * spacing * surface.unit();
+  const std::vector<double> clarity = anisotropies(field);
+  PointGrid taken(spacing);
+  std::vector<DirectionSegment> segments;
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
+    if (!surface.is_referenced(v) || clarity[v] < p.umbilic) continue;
+    const Vec3 &place = surface.positions()[v], &normal = field.normal[v];
+    if (taken.any_near(place, normal, spacing, [](const LineSample&) { return true; })) continue;
+    taken.add({place, normal, 0, 0});
+    if (p.maximal) segments.push_back({DirectionFamily::maximal, std::int32_t(v), field.dir_max[v] * (length / 2)});
+    if (p.minimal) segments.push_back({DirectionFamily::minimal, std::int32_t(v), field.dir_min[v] * (length / 2)});
+  }
+  return segments;
+}
+
+std::vector<CurvatureLine> trace_curvature_lines(const Surface& surface, const CurvatureField& field,
+                                                 const DirectionParameters& p, Execution& execution)
+{
+  const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution);
+  const Topology topology(surface);
+  const std::vector<double> clarity = anisotropies(smooth);
+  const std::vector<std::uint32_t> order = clearest_first(surface.triangles(), clarity);
+  const double spacing = spacing_of(p, surface.unit());
+  const double minimum = p.minimum_length > 0 ? p.minimum_length / surface.unit() : automatic_minimum * spacing;
+  std::vector<CurvatureLine> lines;
+  for (const DirectionFamily family : {DirectionFamily::maximal, DirectionFamily::minimal}) {
+    const bool maximal = family == DirectionFamily::maximal;
+    if (!(maximal ? p.maximal : p.minimal)) continue;
+    LineTracer tracer(surface, topology, maximal ? smooth.dir_max : smooth.dir_min, clarity,
+                      {family, spacing, minimum, p.umbilic});
+    trace_family(tracer, order, execution, maximal ? 0 : 0.5, lines);
+  }
+  return lines;
+}
+
+}  // namespace integral_invariant

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ridge and valley regions: threshold, flood, sieve. In: curvatures. Out: kind and region of every vertex.
+#include "integral_invariant/features/ridge_valley.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "integral_invariant/features/topology.h"
+#include "integral_invariant/support/error.h"
+
+namespace integral_invariant {
+
+namespace {
+
+/// What a vertex would be if it passed, and how strongly.
+struct Candidate {
+  FeatureKind kind = FeatureKind::none;
+  double strength = 0;  ///< |κ|, 1/L
+};
+
+Candidate candidate(double kappa_max, double kappa_min, const RidgeValleyParameters& p)
+{
+  const double ridge = p.ridges ? kappa_max : -1, valley = p.valleys ? -kappa_min : -1;
+  if (std::max(ridge, valley) <= 0) return {};
+  return ridge >= valley ? Candidate{FeatureKind::ridge, ridge} : Candidate{FeatureKind::valley, valley};
+}
+
+struct Thresholds {
+  double high, low;
+};
+
+void require(bool holds, const char* sentence)
+{
+  if (!holds) throw ParameterError(sentence);
+}
+
+/// The value that `percent` of `sorted` do not exceed.
+double at_percent(const std::vector<double>& sorted, double percent)
+{
+  const double position = percent / 100 * double(sorted.size() - 1);
+  return sorted[std::min(std::size_t(std::ceil(position)), sorted.size() - 1)];
+}
+
+Thresholds thresholds(const Surface& surface, const Result& result, const RidgeValleyParameters& p)
+{
+  if (p.threshold == FeatureThreshold::curvature) {
+    require(p.high_curvature > 0, "The high threshold must be a curvature above 0 (1/length): set high_curvature, or use percentiles.");
+    require(p.low_curvature >= 0 && p.low_curvature <= p.high_curvature,
+            "The low threshold must not exceed the high one: lower low_curvature, or set it to 0 for half of high_curvature.");
+    return {p.high_curvature, p.low_curvature > 0 ? p.low_curvature : p.high_curvature / 2};
+  }
+  require(p.high_percentile >= 0 && p.high_percentile <= 100 && p.low_percentile >= 0,
+          "The percentiles of the thresholds must lie from 0 to 100: change high_percentile or low_percentile.");
+  require(p.low_percentile <= p.high_percentile,
+          "The low threshold must not exceed the high one: lower low_percentile or raise high_percentile.");
+  std::vector<double> largest;
+  for (std::size_t v = 0; v < result.kappa_max.size(); ++v)
+    if (surface.is_referenced(v)) largest.push_back(std::max(std::abs(result.kappa_max[v]), std::abs(result.kappa_min[v])));
+  std::sort(largest.begin(), largest.end());
+  return {at_percent(largest, p.high_percentile), at_percent(largest, p.low_percentile)};
+}
+
+/// Collects the region around one strong vertex; `region` marks whom it took.
+std::vector<std::uint32_t> flood(const Surface& surface, const std::vector<Candidate>& candidates, double low,
+                                 std::uint32_t seed, std::int32_t index, std::vector<std::int32_t>& region)
+{
+  std::vector<std::uint32_t> members{seed};
+  region[seed] = index;
+  for (std::size_t next = 0; next < members.size(); ++next) {
+    const std::uint32_t v = members[next];
+    for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e) {
+      const std::uint32_t u = surface.neighbours()[e];
+      const Candidate& c = candidates[u];
+      if (region[u] != -1 || c.kind != candidates[seed].kind || c.strength < low) continue;
+      region[u] = index;
+      members.push_back(u);
+    }
+  }
+  return members;
+}
+
+}  // namespace
+
+RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result& result, const RidgeValleyParameters& p)
+{
+  const std::size_t n = surface.vertex_count();
+  const auto [high, low] = thresholds(surface, result, p);
+  const std::vector<double> areas = vertex_areas(surface);
+  const double unit_area = surface.unit() * surface.unit();
+  std::vector<Candidate> candidates(n);
+  for (std::size_t v = 0; v < n; ++v)
+    if (surface.is_referenced(v)) candidates[v] = candidate(result.kappa_max[v], result.kappa_min[v], p);
+
+  RidgeValleyRegions found;
+  found.kind.assign(n, FeatureKind::none);
+  found.region.assign(n, -1);
+  found.high = high;
+  found.low = low;
+  constexpr std::int32_t dropped = -2;
+  for (std::uint32_t seed = 0; seed < n; ++seed) {
+    if (found.region[seed] != -1 || candidates[seed].kind == FeatureKind::none || candidates[seed].strength < high) continue;
+    const auto members = flood(surface, candidates, low, seed, std::int32_t(found.regions.size()), found.region);
+    FeatureRegion region{candidates[seed].kind, members.size()};
+    for (const std::uint32_t v : members) {
+      region.area += areas[v] * unit_area;
+      region.peak = std::max(region.peak, candidates[v].strength);
+    }
+    const bool keep = members.size() >= std::size_t(std::max(p.minimum_vertices, 0)) && region.area >= p.minimum_area;
+    for (const std::uint32_t v : members) {
+      if (keep) found.kind[v] = region.kind;
+      else found.region[v] = dropped;
+    }
+    if (keep) found.regions.push_back(region);
+  }
+  std::replace(found.region.begin(), found.region.end(), dropped, -1);
+  return found;
+}
+
+}  // namespace integral_invariant
