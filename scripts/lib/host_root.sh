@@ -29,6 +29,8 @@ unpack_host_root() {
   for archive in "$apt"/cache/archives/*.deb; do dpkg-deb -x "$archive" "$folder"; done
   rm -rf -- "$apt" "$folder"/usr/share/{doc,man,locale}
   mkdir -p "$folder/etc/fonts"
+  # Started by the loader, MeshLab takes the loader's folder for its own, and looks for its plugins there.
+  ln -s meshlab/plugins "$(dirname -- "$(echo "$folder"/usr/lib/*/meshlab)")/plugins"
 }
 
 # run_in_host_root RELEASE PROGRAM ARGUMENTS...: PROGRAM is a path, or a name in the root's usr/bin. Replaces this shell.
