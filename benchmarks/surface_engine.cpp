@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Speed and accuracy of the surface engine; prints the tables of docs/surface_engine.md.
 //   surface_engine speed [threads]     CPU and wall time per vertex over mesh size and largest radius, memory
+//   surface_engine single THREADS N linear|geometric R   one row of it: N vertices around the torus, largest radius R
 //   surface_engine accuracy            error of curvature against the closed forms throughout, per noise and radius
 #include <sys/resource.h>
 
@@ -158,6 +159,9 @@ int main(int argc, char** argv)
 {
   if (argc > 1 && std::strcmp(argv[1], "accuracy") == 0)
     accuracy();
+  else if (argc > 5 && std::strcmp(argv[1], "single") == 0)
+    measure_speed(argv[4], Surface(bumpy_torus(std::atoi(argv[3]))),
+                  argv[4][0] == 'l' ? linear(8, std::atof(argv[5])) : geometric(8, std::atof(argv[5])), std::atoi(argv[2]));
   else
     speed(argc > 2 ? std::atoi(argv[2]) : 2, argc > 3 ? std::atoi(argv[3]) : 2000, argc <= 4);
 }

@@ -37,8 +37,8 @@ void BallEvaluator::tabulate_scales()
       }
 }
 
-const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& near, std::uint32_t centre,
-                                                        const Vec3& normal, bool is_border)
+const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& near, Vicinity& vicinity,
+                                                        std::uint32_t centre, const Vec3& normal, bool is_border)
 {
   clear();
   is_border_ = is_border;
@@ -47,12 +47,11 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   // Off the normal by an odd angle: what is axis-aligned then does not meet the pole's opposite.
   pole_ = normalized(normal + Vec3{0.0471, 0.0333, 0.0189});
   near_ = &near;
-  scale_of_.resize(near.x.size());
-  find_scales(near.x.data(), near.y.data(), near.z.data(), near.x.size(), centre_, squared_radii_, scale_of_.data());
+  vicinity.centre_on(centre, scale_of_);
   if (same_sheet_) keep_own_sheet(near, centre);
   for (std::uint32_t k = 0; k < scales_; ++k)
-    if (near.has_far[k]) shells_[k] += cone_moments(near.far[k], -centre_);
-  find_triangle_scales(near);
+    if (vicinity.has_far(k)) shells_[k] += cone_moments(vicinity.far(k), -centre_);
+  find_triangle_scales(near, vicinity);
   sort_triangles();
   add_whole_triangles(near);
   for (std::uint32_t k = 0; k < scales_; ++k) add_listed_corners(near, k);
@@ -73,17 +72,15 @@ void BallEvaluator::clear()
   rays_.clear();
 }
 
-void BallEvaluator::find_triangle_scales(const Neighbourhood& near)
+void BallEvaluator::find_triangle_scales(const Neighbourhood& near, const Vicinity& vicinity)
 {
   if (touched_.size() < near.corners.size()) touched_.resize(near.corners.size());
   const std::uint8_t* scale = scale_of_.data();
   const TriangleScales* table = scales_table_.data();
   const std::size_t stride = scales_ + 1;
   TouchedTriangle* end = touched_.data();
-  for (const LocalLeaf& leaf : near.leaves) {
-    const double reach = radii_.back() + leaf.sphere.radius;
-    if (squared_norm(leaf.sphere.centre - centre_) > reach * reach) continue;
-    for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
+  for (const std::uint32_t leaf : vicinity.leaves()) {
+    for (std::uint32_t i = near.leaves[leaf].begin; i < near.leaves[leaf].end; ++i) {
       const std::array<std::uint32_t, 5>& p = near.corners[i].ring;
       *end++ = {i, table[(scale[p[0]] * stride + scale[p[1]]) * stride + scale[p[2]]]};
     }

@@ -8,6 +8,7 @@
 #include "integral_invariant/moments/ball_kernels.h"
 #include "integral_invariant/moments/neighbourhood.h"
 #include "integral_invariant/moments/vertex_fan.h"
+#include "integral_invariant/moments/vicinity.h"
 
 namespace integral_invariant {
 
@@ -55,14 +56,15 @@ class BallEvaluator {
   BallEvaluator(const std::vector<double>& radii, bool same_sheet);
 
   /// Moments of the balls about local point `centre` at every scale; `normal` is about the surface's there (unit).
-  const std::vector<BallMoments>& evaluate(const Neighbourhood& near, std::uint32_t centre, const Vec3& normal,
-                                           bool is_border);
+  /// `vicinity` has been narrowed to points that `centre` is one of.
+  const std::vector<BallMoments>& evaluate(const Neighbourhood& near, Vicinity& vicinity, std::uint32_t centre,
+                                           const Vec3& normal, bool is_border);
 
  private:
   void clear();
   void keep_own_sheet(const Neighbourhood& near, std::uint32_t centre);
   void tabulate_scales();
-  void find_triangle_scales(const Neighbourhood& near);
+  void find_triangle_scales(const Neighbourhood& near, const Vicinity& vicinity);
   void sort_triangles();
   void add_whole_triangles(const Neighbourhood& near);
   void add_listed_corners(const Neighbourhood& near, std::uint32_t scale);

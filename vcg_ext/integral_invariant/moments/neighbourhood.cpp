@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "integral_invariant/moments/ball_kernels.h"
-
 namespace integral_invariant {
 
 namespace {
@@ -24,8 +22,6 @@ Sphere edge_sphere(const SpatialOrder& order, std::size_t index)
   const Vec3 &a = order.points[edge.from], &b = order.points[edge.to];
   return {(a + b) * 0.5, norm(b - a) * 0.5};
 }
-
-constexpr double rounding = 1e-9;  // of positions in normalised coordinates, with room: what touches a sphere is "cut"
 
 }  // namespace
 
@@ -63,12 +59,21 @@ void SurfaceTree::sum_moments()
   }
 }
 
-void Neighbourhood::pad_points()
+void Neighbourhood::group_points()
 {
-  const std::size_t lanes = CornerBatch::lanes, size = (point_ids.size() + lanes - 1) / lanes * lanes;
-  x.resize(size, 0.0);
-  y.resize(size, 0.0);
-  z.resize(size, 0.0);
+  point_groups.clear();
+  std::array<Sphere, kernel_lanes> members;
+  for (std::size_t begin = 0; begin < point_ids.size(); begin += kernel_lanes) {
+    const std::size_t count = std::min(kernel_lanes, point_ids.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) members[i].centre = point(std::uint32_t(begin + i));
+    const Sphere sphere = bounding_sphere(members.data(), count);
+    point_groups.push(sphere.centre, sphere.radius);
+  }
+  const std::size_t full = point_groups.size() * kernel_lanes;
+  point_groups.pad();
+  x.resize(full, 0.0);
+  y.resize(full, 0.0);
+  z.resize(full, 0.0);
 }
 
 void Neighbourhood::connect_points()
@@ -102,6 +107,7 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.all_small_scale = 0;
   local_.longest_edge = 0;
   local_.leaves.clear();
+  local_.leaf_spheres.clear();
   local_.large.clear();
   local_.free_edges.clear();
   local_.far.assign(radii_.size(), {});
@@ -109,14 +115,15 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   for (std::size_t i = begin; i < end; ++i) local(std::uint32_t(i));
   gather_triangles();
   gather_free_edges();
-  local_.pad_points();
+  local_.group_points();
+  local_.leaf_spheres.pad();
   if (!sum_far_) local_.connect_points();
   return local_;
 }
 
 int NeighbourhoodGatherer::common_scale(const Sphere& sphere) const
 {
-  const double distance = norm(sphere.centre - block_.centre), reach = sphere.radius + block_.radius + rounding;
+  const double distance = norm(sphere.centre - block_.centre), reach = sphere.radius + block_.radius + position_rounding;
   const auto inside_from = std::lower_bound(radii_.begin(), radii_.end(), distance + reach);
   const auto touched_from = std::lower_bound(radii_.begin(), radii_.end(), distance - reach);
   return inside_from == touched_from ? int(inside_from - radii_.begin()) : -1;
@@ -139,7 +146,8 @@ void NeighbourhoodGatherer::gather_triangles()
         const std::uint32_t begin = std::uint32_t(local_.corners.size());
         for (std::size_t i = tree_.triangles().item_begin(leaf); i < tree_.triangles().item_end(leaf); ++i)
           add_triangle(triangles[i]);
-        local_.leaves.push_back({{sphere.centre - block_.centre, sphere.radius}, begin, std::uint32_t(local_.corners.size())});
+        local_.leaves.push_back({begin, std::uint32_t(local_.corners.size()), std::uint32_t(leaf)});
+        local_.leaf_spheres.push(sphere.centre - block_.centre, sphere.radius);
       });
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/moments/ball_kernels.h"
 #include "integral_invariant/moments/flux_moments.h"
 #include "integral_invariant/moments/spatial_order.h"
 #include "integral_invariant/moments/sphere_tree.h"
@@ -34,6 +35,9 @@ class SurfaceTree {
   std::vector<bool> is_border_;
 };
 
+/// Of positions in normalised coordinates, with room: what touches a sphere counts as cut.
+inline constexpr double position_rounding = 1e-9;
+
 /// Corners of a triangle of a neighbourhood, by local points; the first two again at the end, so that the three from
 /// any corner on lie side by side.
 struct LocalCorners {
@@ -48,10 +52,9 @@ struct LocalTriangle {
   double longest_edge;
 };
 
-/// Consecutive triangles of a neighbourhood and the sphere that holds them.
+/// Consecutive triangles of a neighbourhood, those of a leaf of the tree.
 struct LocalLeaf {
-  Sphere sphere;
-  std::uint32_t begin, end;
+  std::uint32_t begin, end, tree_leaf;
 };
 
 struct LocalFreeEdge {
@@ -70,6 +73,8 @@ struct Neighbourhood {
   std::uint32_t all_small_scale = 0;        ///< largest of the triangles' first scales
   double longest_edge = 0;
   std::vector<LocalLeaf> leaves;
+  SphereColumns leaf_spheres;               ///< that hold the leaves' triangles
+  SphereColumns point_groups;               ///< that hold kernel_lanes consecutive points each
   std::vector<std::uint32_t> large;         ///< triangles that a sphere against which they are large may cut
   std::vector<LocalFreeEdge> free_edges;
   std::vector<std::uint32_t> neighbour_start, neighbours;  ///< points along triangle edges; only where asked for
@@ -77,7 +82,7 @@ struct Neighbourhood {
   std::vector<char> has_far;
 
   Vec3 point(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
-  void pad_points();
+  void group_points();
   void connect_points();
 };
 
@@ -87,12 +92,13 @@ class NeighbourhoodGatherer {
   /// A triangle is small from the scale on at which its longest edge is at most `small_edge` radii; 0: never.
   NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii, double small_edge, bool sum_far);
 
-  /// For the points [begin, end) of the spatial order. The reference holds until the next call.
+  /// For the points [begin, end) of the spatial order, which are the first local ones. The reference holds until the
+  /// next call.
   const Neighbourhood& gather(std::size_t begin, std::size_t end);
-  /// Local index of a point of the last gathered neighbourhood.
-  std::uint32_t local(std::uint32_t point);
 
  private:
+  /// Local index of a point; added where it is new.
+  std::uint32_t local(std::uint32_t point);
   /// Scale from which on all balls about the block hold the sphere, or −1 where some ball can cut it.
   int common_scale(const Sphere& sphere) const;
   void add_triangle(const Triangle& triangle);

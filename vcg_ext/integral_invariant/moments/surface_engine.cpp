@@ -6,6 +6,7 @@
 
 #include "integral_invariant/moments/ball_evaluator.h"
 #include "integral_invariant/moments/neighbourhood.h"
+#include "integral_invariant/moments/vicinity.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
@@ -32,18 +33,15 @@ class SurfaceEngine : public MomentEngine {
 
   void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
   {
-    struct Worker {
-      NeighbourhoodGatherer gatherer;
-      BallEvaluator evaluator;
-    };
     std::vector<std::unique_ptr<Worker>> workers(std::size_t(execution.threads()));
     parallel_for(blocks_.size() - 1, 4, execution, [&](std::size_t begin, std::size_t end, int worker) {
       std::unique_ptr<Worker>& w = workers[std::size_t(worker)];
       if (!w)
         w.reset(new Worker{{tree_, radii, small_edge(parameters_.exactness), !parameters_.same_sheet},
+                           {tree_, radii, !parameters_.same_sheet},
                            BallEvaluator(radii, parameters_.same_sheet)});
       for (std::size_t block = begin; block < end; ++block)
-        evaluate_block(blocks_[block], blocks_[block + 1], w->gatherer, w->evaluator, sink);
+        evaluate_block(blocks_[block], blocks_[block + 1], *w, sink);
     });
   }
 
@@ -54,6 +52,12 @@ class SurfaceEngine : public MomentEngine {
   }
 
  private:
+  struct Worker {
+    NeighbourhoodGatherer gatherer;
+    Vicinity vicinity;
+    BallEvaluator evaluator;
+  };
+
   /// Runs of points along the curve that stay together: what one ball of the block touches, the others touch too.
   void split_into_blocks()
   {
@@ -76,14 +80,17 @@ class SurfaceEngine : public MomentEngine {
     blocks_.push_back(points.size());
   }
 
-  void evaluate_block(std::size_t begin, std::size_t end, NeighbourhoodGatherer& gatherer, BallEvaluator& evaluator,
-                      const MomentSink& sink) const
+  void evaluate_block(std::size_t begin, std::size_t end, Worker& worker, const MomentSink& sink) const
   {
+    constexpr std::size_t close = 8;  // points: about two edges across
     const SpatialOrder& order = tree_.order();
-    const Neighbourhood& near = gatherer.gather(begin, end);
+    const Neighbourhood& near = worker.gatherer.gather(begin, end);
+    worker.vicinity.enter(near);
     for (std::size_t point = begin; point < end; ++point) {
-      const auto& moments = evaluator.evaluate(near, gatherer.local(std::uint32_t(point)), order.normals[point],
-                                               tree_.is_border(std::uint32_t(point)));
+      if ((point - begin) % close == 0)
+        worker.vicinity.narrow(std::uint32_t(point - begin), std::uint32_t(std::min(point + close, end) - begin));
+      const auto& moments = worker.evaluator.evaluate(near, worker.vicinity, std::uint32_t(point - begin),
+                                                      order.normals[point], tree_.is_border(std::uint32_t(point)));
       for (std::uint32_t i = order.vertex_start[point]; i < order.vertex_start[point + 1]; ++i)
         for (std::size_t k = 0; k < moments.size(); ++k) sink(order.vertices[i], int(k), moments[k]);
     }
