@@ -55,7 +55,7 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   sort_triangles();
   add_whole_triangles(near);
   for (std::uint32_t k = 0; k < scales_; ++k) add_listed_corners(near, k);
-  for (const std::uint32_t i : near.large) add_large(near.corners[i], near.triangles[i]);
+  for (const std::uint32_t i : near.large) add_large(near.corners[i], near.longest_edges[i]);
   add_free_edges(near);
   finish();
   return moments_;
@@ -121,19 +121,9 @@ void BallEvaluator::sort_triangles()
 
 void BallEvaluator::add_whole_triangles(const Neighbourhood& near)
 {
-  for (std::uint32_t k = 0; k < scales_; ++k) {
-    // From its second vertex's scale on a triangle counts as whole, less the corner that is still outside.
-    MomentSums sum;
-    for (std::uint32_t i = 0; i < whole_count_[k]; ++i) {
-      const LocalTriangle& t = near.triangles[whole_[k][i]];
-      const Vec3 y = t.centroid - centre_;
-      const double det = dot(t.doubled_area, y);
-      sum.volume += det;
-      sum.first += y * det;
-      sum.second += (t.spread + outer(y)) * det;
-    }
-    shells_[k] += {sum.volume * (1.0 / 6), sum.first * 0.125, sum.second * 0.1};
-  }
+  // From its second vertex's scale on a triangle counts as whole, less the corner that is still outside.
+  for (std::uint32_t k = 0; k < scales_; ++k)
+    shells_[k] += whole_triangles(near.triangles.data(), whole_[k].data(), whole_count_[k], centre_);
 }
 
 void BallEvaluator::add_listed_corners(const Neighbourhood& near, std::uint32_t k)
@@ -161,14 +151,14 @@ void BallEvaluator::add_curved_corner(const LocalCorners& corners, LocalCorner c
   cuts_[k].moments += curved_excess({a, b, c}, radius, 0, !corner.is_outside(), {p, q});
 }
 
-void BallEvaluator::add_large(const LocalCorners& corners, const LocalTriangle& triangle)
+void BallEvaluator::add_large(const LocalCorners& corners, double longest_edge)
 {
   std::uint32_t end_scale = corners.first_small_scale;
   for (int i = 0; i < 3; ++i) end_scale = std::min<std::uint32_t>(end_scale, scale_of_[corners.ring[i]]);
   if (end_scale == 0) return;
   // No point of a triangle is farther from its centroid than two thirds of the longest edge.
-  const double distance = norm(triangle.centroid - centre_) - triangle.longest_edge * (2.0 / 3);
   const std::array<Vec3, 3> v = {point(corners.ring[0]), point(corners.ring[1]), point(corners.ring[2])};
+  const double distance = norm((v[0] + v[1] + v[2]) * (1.0 / 3)) - longest_edge * (2.0 / 3);
   if (distance >= radii_[end_scale - 1] || (is_border_ && touches_centre(v))) return;
   std::uint32_t first_scale = 0;
   if (same_sheet_) {

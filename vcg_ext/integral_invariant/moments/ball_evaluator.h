@@ -69,7 +69,7 @@ class BallEvaluator {
   void add_whole_triangles(const Neighbourhood& near);
   void add_listed_corners(const Neighbourhood& near, std::uint32_t scale);
   void add_curved_corner(const LocalCorners& corners, LocalCorner corner, std::uint32_t scale);
-  void add_large(const LocalCorners& corners, const LocalTriangle& triangle);
+  void add_large(const LocalCorners& corners, double longest_edge);
   void add_free_edges(const Neighbourhood& near);
   void add_free_edge(const LocalFreeEdge& edge);
   void add_ray(const LocalFreeEdge& edge);

@@ -5,12 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-// One binary for old and new processors: the loader picks the clone. Elsewhere the compiler's default target is used.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
-#define II_VECTOR_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define II_VECTOR_CLONES
-#endif
+#include "integral_invariant/moments/vector_clones.h"
 
 namespace integral_invariant {
 
@@ -24,16 +19,30 @@ struct alignas(64) LaneSums {
   double real[lanes], imaginary[lanes];
 };
 
-/// θ/sin θ as a series in t = sin²(θ/2): Π 2j/(2j+1) t^k.
+/// Coefficients of θ/sin θ as a series in t = sin²(θ/2): Π 2j/(2j+1). One more, 0, to fill up pairs.
+template <int terms>
+constexpr std::array<double, terms + 1> angle_factors()
+{
+  std::array<double, terms + 1> factor{};
+  factor[0] = 1;
+  for (int k = 1; k < terms; ++k) factor[k] = factor[k - 1] * (2.0 * k) / (2.0 * k + 1);
+  return factor;
+}
+
+/// The series; even and odd powers apart, as one chain is slow.
 template <int terms>
 inline double angle_ratio(double t)
 {
-  double sum = 0;
-  double factor[terms] = {1};
-  for (int k = 1; k < terms; ++k) factor[k] = factor[k - 1] * (2.0 * k) / (2.0 * k + 1);
-#pragma GCC unroll 17
-  for (int k = terms - 1; k >= 0; --k) sum = sum * t + factor[k];
-  return sum;
+  constexpr std::array<double, terms + 1> factor = angle_factors<terms>();
+  constexpr int last_even = (terms - 1) / 2 * 2;
+  const double t2 = t * t;
+  double even = factor[last_even], odd = factor[last_even + 1];
+#pragma GCC unroll 16
+  for (int k = last_even - 2; k >= 0; k -= 2) {
+    even = even * t2 + factor[k];
+    odd = odd * t2 + factor[k + 1];
+  }
+  return even + t * odd;
 }
 
 /// The same for any t < 1: halving the angle twice brings t under 0.147, where 17 terms are exact to 1e-15.
@@ -151,72 +160,35 @@ double sum_of(const double* lane)
 
 }  // namespace
 
-void SphereColumns::clear()
-{
-  x.clear(), y.clear(), z.clear(), radius.clear();
-  size_ = 0;
-}
-
-void SphereColumns::push(const Vec3& centre, double r)
-{
-  x.push_back(centre.x), y.push_back(centre.y), z.push_back(centre.z), radius.push_back(r);
-  ++size_;
-}
-
-void SphereColumns::pad()
-{
-  const std::size_t full = (size_ + lanes - 1) / lanes * lanes;
-  x.resize(full, 0), y.resize(full, 0), z.resize(full, 0), radius.resize(full, 0);
-}
-
 II_VECTOR_CLONES
-void find_scale_ranges(const SphereColumns& spheres, const Vec3& centre, double extent, const std::vector<double>& radii,
-                       std::uint8_t* least, std::uint8_t* largest)
+static void sum_whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count,
+                                const double* centre, double* sums)
 {
-  const double *x = spheres.x.data(), *y = spheres.y.data(), *z = spheres.z.data(), *radius = spheres.radius.data();
-  const double* limits = radii.data();
-  const std::size_t scales = radii.size(), count = spheres.x.size();
-  const double cx = centre.x, cy = centre.y, cz = centre.z;
-  for (std::size_t group = 0; group < count; group += lanes) {
-    double low[lanes], high[lanes];
-    std::int64_t below[lanes] = {}, within[lanes] = {};
-    for (std::size_t j = 0; j < lanes; ++j) {
-      const double dx = x[group + j] - cx, dy = y[group + j] - cy, dz = z[group + j] - cz;
-      const double distance = std::sqrt(dx * dx + dy * dy + dz * dz), reach = radius[group + j] + extent;
-      low[j] = distance - reach;
-      high[j] = distance + reach;
-    }
-    for (std::size_t k = 0; k < scales; ++k)
-      for (std::size_t j = 0; j < lanes; ++j) {
-        below[j] += limits[k] < low[j] ? 1 : 0;
-        within[j] += limits[k] < high[j] ? 1 : 0;
-      }
-    for (std::size_t j = 0; j < lanes; ++j) {
-      least[group + j] = std::uint8_t(below[j]);
-      largest[group + j] = std::uint8_t(within[j]);
-    }
+  double first[4] = {}, square[4] = {}, mixed[4] = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    const LocalTriangle& t = triangles[list[i]];
+    double y[4], product[4];
+    for (int j = 0; j < 4; ++j) y[j] = t.centroid[j] - centre[j];
+    for (int j = 0; j < 4; ++j) product[j] = t.doubled_area[j] * y[j];
+    const double det = (product[0] + product[1]) + product[2], turned[4] = {y[1], y[2], y[0], y[3]};
+    for (int j = 0; j < 4; ++j) first[j] += y[j] * det;
+    for (int j = 0; j < 4; ++j) square[j] += (t.square[j] + y[j] * y[j]) * det;
+    for (int j = 0; j < 4; ++j) mixed[j] += (t.mixed[j] + y[j] * turned[j]) * det;
+  }
+  for (int j = 0; j < 4; ++j) {
+    sums[j] = first[j];
+    sums[4 + j] = square[j];
+    sums[8 + j] = mixed[j];
   }
 }
 
-II_VECTOR_CLONES
-void find_scales(const double* x, const double* y, const double* z, const std::vector<std::uint32_t>& groups,
-                 const Vec3& centre, const std::vector<double>& squared_radii, std::uint8_t* scale)
+MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count, const Vec3& centre)
 {
-  const double* limits = squared_radii.data();
-  const std::size_t scales = squared_radii.size();
-  const double cx = centre.x, cy = centre.y, cz = centre.z;
-  for (const std::uint32_t g : groups) {
-    const std::size_t group = std::size_t(g) * lanes;
-    double d2[lanes];
-    std::int64_t beyond[lanes] = {};
-    for (std::size_t j = 0; j < lanes; ++j) {
-      const double dx = x[group + j] - cx, dy = y[group + j] - cy, dz = z[group + j] - cz;
-      d2[j] = dx * dx + dy * dy + dz * dz;
-    }
-    for (std::size_t k = 0; k < scales; ++k)
-      for (std::size_t j = 0; j < lanes; ++j) beyond[j] += d2[j] > limits[k] ? 1 : 0;
-    for (std::size_t j = 0; j < lanes; ++j) scale[group + j] = std::uint8_t(beyond[j]);
-  }
+  const double apex[4] = {centre.x, centre.y, centre.z, 0};
+  double s[12];
+  sum_whole_triangles(triangles, list, count, apex, s);
+  constexpr double v = 1.0 / 6, f = 0.125, q = 0.1;
+  return {v * s[3], {f * s[0], f * s[1], f * s[2]}, {q * s[4], q * s[8], q * s[10], q * s[5], q * s[9], q * s[6]}};
 }
 
 void CornerBatch::pad(const Vec3& centre, const Vec3& pole, double radius)

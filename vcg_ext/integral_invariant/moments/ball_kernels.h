@@ -12,35 +12,20 @@
 #include <vector>
 
 #include "integral_invariant/moments/moment_sums.h"
+#include "integral_invariant/moments/scale_kernels.h"
 
 namespace integral_invariant {
 
-inline constexpr std::size_t kernel_lanes = 8;
-
-/// Spheres in columns, filled up to full lanes.
-class SphereColumns {
- public:
-  void clear();
-  void push(const Vec3& centre, double radius);
-  /// After the last push.
-  void pad();
-  std::size_t size() const { return size_; }
-
-  std::vector<double> x, y, z, radius;
-
- private:
-  std::size_t size_ = 0;
+/// What the cone moments of a triangle about any apex are made of, in rows of four.
+struct alignas(32) LocalTriangle {
+  double centroid[4];      ///< and 1
+  double doubled_area[4];  ///< (b − a) × (c − a), and 0
+  double square[4];        ///< xx, yy, zz of Σ (v − centroid)(v − centroid)ᵀ / 12 over the corners
+  double mixed[4];         ///< xy, yz, zx of it
 };
 
-/// Per sphere the numbers of radii that are smaller than its least and than its largest distance from the points within
-/// `extent` of `centre`: where they are the same, no ball about those points cuts it. Arrays of full lanes.
-void find_scale_ranges(const SphereColumns& spheres, const Vec3& centre, double extent, const std::vector<double>& radii,
-                       std::uint8_t* least, std::uint8_t* largest);
-
-/// Writes the first scale of the points of `groups`, the number of squared radii that they lie beyond from `centre`. Group
-/// g are the points [g·lanes, (g+1)·lanes).
-void find_scales(const double* x, const double* y, const double* z, const std::vector<std::uint32_t>& groups,
-                 const Vec3& centre, const std::vector<double>& squared_radii, std::uint8_t* scale);
+/// Moments of the cones from `centre` to those of the triangles that `list` names.
+MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count, const Vec3& centre);
 
 /// Corners that one sphere cuts off triangles, in columns: the lone vertex a, and b and c in the triangle's order.
 class CornerBatch {

@@ -104,6 +104,7 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.centre = block_.centre;
   local_.corners.clear();
   local_.triangles.clear();
+  local_.longest_edges.clear();
   local_.all_small_scale = 0;
   local_.longest_edge = 0;
   local_.leaves.clear();
@@ -157,25 +158,27 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
   std::array<Vec3, 3> v;
   for (int i = 0; i < 3; ++i) v[i] = points[std::size_t(triangle[i])] - block_.centre;
   const double longest2 = std::max({squared_norm(v[1] - v[0]), squared_norm(v[2] - v[1]), squared_norm(v[0] - v[2])});
-  LocalTriangle t;
+  const double longest_edge = std::sqrt(longest2), reach = radii_.back() + block_.radius;
+  const Vec3 centroid = (v[0] + v[1] + v[2]) * (1.0 / 3);
+  if (squared_norm(centroid) > (reach + longest_edge) * (reach + longest_edge)) return;
   LocalCorners corners;
-  t.centroid = (v[0] + v[1] + v[2]) * (1.0 / 3);
-  const double reach = radii_.back() + block_.radius;
-  t.longest_edge = std::sqrt(longest2);
-  if (squared_norm(t.centroid) > (reach + t.longest_edge) * (reach + t.longest_edge)) return;
   for (int i = 0; i < 3; ++i) corners.ring[i] = local(std::uint32_t(triangle[i]));
   corners.ring[3] = corners.ring[0];
   corners.ring[4] = corners.ring[1];
-  t.doubled_area = cross(v[1] - v[0], v[2] - v[0]);
-  t.spread = (outer(v[0] - t.centroid) + outer(v[1] - t.centroid) + outer(v[2] - t.centroid)) * (1.0 / 12);
-  corners.first_small_scale = first_small_scale(t.longest_edge);
+  corners.first_small_scale = first_small_scale(longest_edge);
   if (corners.first_small_scale > 0 &&
-      norm(t.centroid) < radii_[corners.first_small_scale - 1] + block_.radius + t.longest_edge)
+      norm(centroid) < radii_[corners.first_small_scale - 1] + block_.radius + longest_edge)
     local_.large.push_back(std::uint32_t(local_.corners.size()));
   local_.all_small_scale = std::max(local_.all_small_scale, corners.first_small_scale);
-  local_.longest_edge = std::max(local_.longest_edge, t.longest_edge);
+  local_.longest_edge = std::max(local_.longest_edge, longest_edge);
+  const Vec3 area = cross(v[1] - v[0], v[2] - v[0]);
+  const Symmetric3 spread = (outer(v[0] - centroid) + outer(v[1] - centroid) + outer(v[2] - centroid)) * (1.0 / 12);
   local_.corners.push_back(corners);
-  local_.triangles.push_back(t);
+  local_.triangles.push_back({{centroid.x, centroid.y, centroid.z, 1},
+                              {area.x, area.y, area.z, 0},
+                              {spread.xx, spread.yy, spread.zz, 0},
+                              {spread.xy, spread.yz, spread.xz, 0}});
+  local_.longest_edges.push_back(longest_edge);
 }
 
 std::uint32_t NeighbourhoodGatherer::first_small_scale(double edge) const

@@ -45,13 +45,6 @@ struct LocalCorners {
   std::uint32_t first_small_scale;  ///< from this scale on the triangle's circular segments are left out
 };
 
-/// What the triangle's cone moments about any apex are made of.
-struct LocalTriangle {
-  Vec3 centroid, doubled_area;      ///< doubled_area = (b − a) × (c − a)
-  Symmetric3 spread;                ///< Σ (v − centroid)(v − centroid)ᵀ / 12 over the corners
-  double longest_edge;
-};
-
 /// Consecutive triangles of a neighbourhood, those of a leaf of the tree.
 struct LocalLeaf {
   std::uint32_t begin, end, tree_leaf;
@@ -69,7 +62,8 @@ struct Neighbourhood {
   std::vector<std::uint32_t> point_ids;     ///< local → SpatialOrder::points
   std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
   std::vector<LocalCorners> corners;        ///< per triangle
-  std::vector<LocalTriangle> triangles;
+  std::vector<LocalTriangle> triangles;     ///< in the same order
+  std::vector<double> longest_edges;        ///< of them
   std::uint32_t all_small_scale = 0;        ///< largest of the triangles' first scales
   double longest_edge = 0;
   std::vector<LocalLeaf> leaves;
