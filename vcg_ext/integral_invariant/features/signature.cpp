@@ -47,7 +47,9 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   Execution execution(parameters.threads, progress);
   execution.begin_stage("checking the surface", 4);
   const Surface surface(mesh);
-  const std::vector<double> radii = scale_radii(parameters, surface.unit());
+  Parameters ladder = parameters;  // a signature has the scales it is asked for, however curvature would choose its radius
+  ladder.radius_choice = RadiusChoice::feature_adapted;
+  const std::vector<double> radii = scale_radii(ladder, surface.unit());
   Signature signature;
   allocate(signature, surface.vertex_count(), radii.size(), parameters.memory_limit_mb);
 
