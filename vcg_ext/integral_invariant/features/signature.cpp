@@ -43,12 +43,12 @@ void allocate(Signature& signature, std::size_t vertices, std::size_t scales, st
 
 Signature compute_signature(const TriangleMesh& mesh, const Parameters& parameters, const ProgressCallback& progress)
 {
-  validate(parameters);
+  Parameters ladder = parameters;  // a signature has the scales it is asked for, however curvature would choose its radius
+  ladder.radius_choice = RadiusChoice::feature_adapted;
+  validate(ladder);
   Execution execution(parameters.threads, progress);
   execution.begin_stage("checking the surface", 4);
   const Surface surface(mesh);
-  Parameters ladder = parameters;  // a signature has the scales it is asked for, however curvature would choose its radius
-  ladder.radius_choice = RadiusChoice::feature_adapted;
   const std::vector<double> radii = scale_radii(ladder, surface.unit());
   Signature signature;
   allocate(signature, surface.vertex_count(), radii.size(), parameters.memory_limit_mb);
