@@ -97,7 +97,8 @@ int main(int argc, char** argv)
   Table table(double(mesh.positions.size()));
   Result ours;
   const auto filter = [&](EngineKind engine) {
-    Parameters parameters;
+    Parameters parameters = published_method();  // eight scales from one to eight edges
+    parameters.scales = 8;
     parameters.engine = engine;
     parameters.threads = threads;
     Result result = compute_curvature(mesh, parameters);

@@ -5,22 +5,20 @@
 namespace integral_invariant::filter {
 
 const char* const help_text = R"(Principal curvatures and directions by <b>integrals instead of derivatives</b>: from the
-covariance of the part of the solid that lies inside a ball around each vertex. Integrals average noise away; the radius of
-the ball says which detail counts. The moments are sums over the triangles, or FFTs on a voxel grid (closed meshes).<br/>
-<b>Feature-adapted</b> radii: moments are computed at several scales; from the median over them, the radius <i>r</i> of each
-vertex moves step by step towards alpha / max(|k<sub>max</sub>|, |k<sub>min</sub>|), and is then smoothed over the surface
-without blurring the borders of features. Fine detail ends with small balls, flat parts with large ones.<br/>
-<b>Conventions:</b> k<sub>max</sub> &ge; k<sub>min</sub> in 1/length, positive where the solid is convex; faces point outward.
+covariance of the part of the solid inside a ball around each vertex. Integrals average noise away; the radius of the ball says
+which detail counts. A <b>statistical</b> radius (the default) measures at balls of all sizes, weighs each by what it shows over
+the mesh's own noise, removes the bias of large balls, and gives the standard error ii_error.<br/>
+The published <b>feature-adapted</b> radius (with the published estimator): from the median over the scales, the radius <i>r</i>
+of each vertex moves step by step towards alpha / max(|k<sub>max</sub>|, |k<sub>min</sub>|), and is then smoothed over the surface.
 k<sub>max</sub> = 6/(&pi;r<sup>6</sup>) (&lambda;<sub>1</sub> &minus; 3&lambda;<sub>2</sub>) + 8/(5r), &lambda;<sub>1</sub> &ge;
-&lambda;<sub>2</sub> the tangential eigenvalues of the covariance; exchange them for k<sub>min</sub>. Results are quality, colour,
-radius, curvature directions (<i>Show Curvature</i>), and the attributes ii_kmax, ii_kmin, ii_radius, ii_confidence, ii_dirmax,
-ii_dirmin.<br/>
-See: <i>Y.-K. Lai, S.-M. Hu, T. Fang</i>, <b>"Robust Principal Curvatures using Feature Adapted Integral Invariants"</b>,
+&lambda;<sub>2</sub> the tangential eigenvalues of the covariance; exchange them for k<sub>min</sub>. <b>Signs:</b> k<sub>max</sub>
+&ge; k<sub>min</sub> in 1/length, positive where the solid is convex; faces point outward.<br/>
+See: <i>Lai, Hu, Fang</i>, <b>"Robust Principal Curvatures using Feature Adapted Integral Invariants"</b>,
 <a href="https://doi.org/10.1145/1629255.1629298">GPM 2009</a>;
-<i>Y.-L. Yang, Y.-K. Lai, S.-M. Hu, H. Pottmann</i>, <b>"Robust Principal Curvatures on Multiple Scales"</b>,
+<i>Yang, Lai, Hu, Pottmann</i>, <b>"Robust Principal Curvatures on Multiple Scales"</b>,
 <a href="https://doi.org/10.2312/SGP/SGP06/223-226">SGP 2006</a>;
-<i>H. Pottmann, J. Wallner, Y.-L. Yang, Y.-K. Lai, S.-M. Hu</i>, <b>"Principal curvatures from the integral invariant
-viewpoint"</b>, <a href="https://doi.org/10.1016/j.cagd.2007.07.004">CAGD 24, 2007</a>.)";
+<i>Pottmann, Wallner, Yang, Lai, Hu</i>, <b>"Principal curvatures from the integral invariant viewpoint"</b>,
+<a href="https://doi.org/10.1016/j.cagd.2007.07.004">CAGD 24, 2007</a>.)";
 
 const char* const ridge_valley_help = R"(Selects the regions of the surface that bend strongly: <b>ridges</b>, where the
 maximal curvature is large and positive, and <b>valleys</b>, where the minimal curvature is large and negative. The curvatures

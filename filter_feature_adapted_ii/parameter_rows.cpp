@@ -9,6 +9,8 @@ namespace integral_invariant::filter {
 
 namespace {
 
+constexpr double largest_length = 1e30;  // fits single precision, in which hosts keep numbers
+
 using P = Parameters;
 using O = OutputOptions;
 
@@ -26,8 +28,8 @@ std::vector<ParameterSpec> method_rows()
            "sensitive to noise, as it knows that the vertex itself is noisy. Bias removed: offset-free, and the errors of "
            "large balls are removed by comparing scales. A statistical radius needs one of the latter two.",
            "[Yang06], docs/accuracy.md"}),
-      length<&P::noise>("noise",
-          {"Noise",
+      real<&P::noise>("noise", "mesh", {0, largest_length},
+          {"Noise (0: estimated)",
            "Standard deviation of the noise along the normal, if it is known. 0: estimated, place by place. Used when the "
            "radius is statistical.", "docs/accuracy.md"}),
       integer<&P::scales>("scales", "", {1, limits::max_scales},
