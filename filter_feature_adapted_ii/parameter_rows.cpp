@@ -9,7 +9,7 @@ namespace integral_invariant::filter {
 
 namespace {
 
-constexpr double largest_length = 1e30;  // fits single precision, in which hosts keep numbers
+constexpr double largest_length = 1e18;  // beyond the coordinates that meshes have; hosts keep numbers in single precision
 
 using P = Parameters;
 using O = OutputOptions;
