@@ -15,33 +15,13 @@
 
 #include "integral_invariant/pipeline.h"
 #include "peers/peers.h"
+#include "resource_use.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;
 using namespace test_support;
 
 namespace {
-
-double wall_seconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double cpu_seconds()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return double(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-         1e-6 * double(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
-double memory_bytes(const char* field)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.rfind(field, 0) == 0) return 1024 * std::atof(line.c_str() + std::strlen(field));
-  return 0;
-}
 
 /// Makes the kernel count the peak memory anew.
 void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
