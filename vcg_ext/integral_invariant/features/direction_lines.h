@@ -29,7 +29,7 @@ struct DirectionSegment {
   Vec3 half;                  ///< L: from the vertex to one end
 };
 
-/// Why a line ends.
+/// Why a line ends; `length`: no further progress.
 enum class LineEnd { umbilic, boundary, near_line, loop, length };
 
 struct CurvatureLine {
