@@ -71,7 +71,7 @@ std::vector<std::uint32_t> clearest_first(const std::vector<Triangle>& triangles
   return order;
 }
 
-void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from,
+void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from, double share,
                   std::vector<CurvatureLine>& lines)
 {
   std::deque<WalkState> beside;
@@ -83,8 +83,11 @@ void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, E
     lines.push_back(std::move(line));
   };
   for (std::size_t i = 0; i < order.size(); ++i) {
-    for (; !beside.empty(); beside.pop_front()) try_seed(beside.front());
-    if (i % 4096 == 0) execution.report(from + 0.5 * double(i) / double(order.size()));
+    for (; !beside.empty(); beside.pop_front()) {
+      execution.report(from + share * double(i) / double(order.size()));
+      try_seed(beside.front());
+    }
+    if (i % 256 == 0) execution.report(from + share * double(i) / double(order.size()));
     try_seed({std::int32_t(order[i]), {1.0 / 3, 1.0 / 3, 1.0 / 3}, {}});
   }
 }
@@ -133,8 +136,10 @@ std::vector<CurvatureLine> trace_curvature_lines(const Surface& surface, const C
 {
   require_lengths(p, surface.unit());
   require_memory_for_lines(surface, spacing_of(p, surface.unit()), p.memory_limit_mb);
-  const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution);
+  constexpr double smoothed_by = 0.2, traced_from = 0.4;  // fractions of the stage
+  const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution, smoothed_by);
   const Topology topology(surface);
+  execution.report(traced_from);
   const std::vector<double> clarity = anisotropies(smooth);
   const std::vector<std::uint32_t> order = clearest_first(surface.triangles(), clarity);
   const double spacing = spacing_of(p, surface.unit());
@@ -145,7 +150,7 @@ std::vector<CurvatureLine> trace_curvature_lines(const Surface& surface, const C
     if (!(maximal ? p.maximal : p.minimal)) continue;
     LineTracer tracer(surface, topology, maximal ? smooth.dir_max : smooth.dir_min, clarity,
                       {family, spacing, minimum, p.umbilic});
-    trace_family(tracer, order, execution, maximal ? 0 : 0.5, lines);
+    trace_family(tracer, order, execution, maximal ? traced_from : (1 + traced_from) / 2, (1 - traced_from) / 2, lines);
   }
   return lines;
 }

@@ -12,8 +12,15 @@ namespace {
 constexpr double too_near = 0.5;      ///< of the spacing: a line ends this near to another one
 constexpr double same_place = 0.25;   ///< of the spacing: a line that passes its start this near is closed
 constexpr double sampling = 0.25;     ///< of the spacing: between the samples that other lines are held against
+constexpr double finest_sampling = 1.0 / 64;  ///< of the spacing: nearer samples tell nothing, and crowd where triangles do
 constexpr double smallest_loop = 3;   ///< ē
-constexpr std::size_t most_steps = 200000;
+constexpr double most_steps = 200000;
+
+/// A line that keeps its distance from itself crosses a triangle a few times, the more the closer lines may lie.
+std::size_t step_limit(std::size_t triangles, double spacing)
+{
+  return std::size_t(std::min(most_steps, 1000 + 4 * double(triangles) * (1 + 1 / spacing)));
+}
 /// Around a vertex, or among slivers, steps may lead in a circle: a line ends after so many within the least progress (ē).
 constexpr int most_idle_steps = 256;
 constexpr double least_progress = 1e-3;
@@ -22,7 +29,8 @@ constexpr double least_progress = 1e-3;
 
 LineTracer::LineTracer(const Surface& surface, const Topology& topology, const std::vector<Vec3>& lines,
                        const std::vector<double>& clarity, const TracerOptions& options)
-    : surface_(surface), walk_(surface, topology), lines_(lines), clarity_(clarity), options_(options), grid_(options.spacing)
+    : surface_(surface), walk_(surface, topology), lines_(lines), clarity_(clarity), options_(options),
+      most_steps_(step_limit(surface.triangles().size(), options.spacing)), grid_(options.spacing)
 {
 }
 
@@ -72,6 +80,9 @@ void LineTracer::add_sample(const LineSample& sample)
 void LineTracer::add_samples(const Vec3& from, const Vec3& to, const Vec3& normal, double arc, double sign)
 {
   const double length = norm(to - from);
+  unsampled_ += length;
+  if (unsampled_ < finest_sampling * options_.spacing) return;
+  unsampled_ = 0;
   const int pieces = std::max(1, int(std::ceil(length / (sampling * options_.spacing))));
   for (int i = 1; i <= pieces; ++i) {
     const double t = double(i) / pieces;
@@ -85,9 +96,10 @@ LineTracer::Half LineTracer::half_line(const WalkState& seed, const Vec3& direct
   WalkState state = seed;
   state.direction = direction;
   Vec3 place = walk_.position(state);
+  unsampled_ = 0;
   Vec3 last_progress = place;
   int idle_steps = 0;
-  for (std::size_t step = 0; step < most_steps; ++step) {
+  for (std::size_t step = 0; step < most_steps_; ++step) {
     const Vec3 normal = walk_.normal(state);
     SurfacePoint leaving;
     const WalkState next = walk_.along(state, lines_, leaving);

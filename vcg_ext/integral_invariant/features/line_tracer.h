@@ -51,8 +51,10 @@ class LineTracer {
   const std::vector<Vec3>& lines_;
   const std::vector<double>& clarity_;
   TracerOptions options_;
+  const std::size_t most_steps_;        ///< of half a line
   PointGrid grid_;
   std::int32_t line_ = -1;              ///< the one in work
+  double unsampled_ = 0;                ///< way since the last sample
   std::vector<Vec3> own_samples_;       ///< of it, taken back where it is dropped
   std::vector<WalkState> last_states_;  ///< along the line that trace() returned last
   Vec3 start_, start_direction_;
