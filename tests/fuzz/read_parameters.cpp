@@ -12,6 +12,9 @@ using integral_invariant::Parameters;
 constexpr std::size_t memory_limit_mb = 8;
 constexpr int most_iterations = 300, most_passes = 20, most_scales = 9, most_threads = 3;
 constexpr double most_cells = 6;
+/// Grids are slow under sanitizers, where the smallest radii need one for each vertex.
+constexpr int most_scales_on_grids = 4;
+constexpr double most_cells_on_grids = 3;
 
 enum class Source { by_default, in_range, anything };
 
@@ -89,6 +92,9 @@ void keep_small(Parameters& p)
   bound(p.smoothing_passes, most_passes, max_smoothing_passes);
   if (p.fft_cells_per_radius > most_cells && p.fft_cells_per_radius <= max_cells_per_radius)
     p.fft_cells_per_radius = most_cells;
+  if (p.engine != integral_invariant::EngineKind::volume_fft) return;
+  bound(p.scales, most_scales_on_grids, max_scales);
+  p.fft_cells_per_radius = std::min(p.fft_cells_per_radius, most_cells_on_grids);
 }
 
 }  // namespace fuzz

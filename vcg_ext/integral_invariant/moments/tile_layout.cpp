@@ -252,6 +252,11 @@ CellBox TileLayout::box(std::size_t tile) const
 
 TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit)
 {
+  // Cells grow with the inverse square of the radius, and under it a ball sees a single triangle.
+  constexpr double smallest_radius = 0.1;
+  if (radius < smallest_radius)
+    throw ParameterError("The smallest radius is under a tenth of the average edge length, which the voxel engine's grid cannot "
+                         "resolve at a bearable cost. Raise r_min (or radius), or use the surface integral engine.");
   TileLayout layout;
   const Bounds bounds = bounds_of(surface);
   layout.grid = {bounds.low, radius / cells_per_radius};
