@@ -59,7 +59,7 @@ inline void add_parameter(const ParameterSpec& spec, double diagonal, RichParame
     case Kind::boolean: add_rich<RichBool>(list, spec, name, value != 0, label, tip); break;
     case Kind::integer: add_rich<RichInt>(list, spec, name, int(value), label, tip); break;
     case Kind::real: add_rich<RichFloat>(list, spec, name, Scalarm(value), label, tip); break;
-    case Kind::length: add_rich<RichLength>(list, spec, name, Scalarm(value), 0, Scalarm(diagonal), label, tip); break;
+    case Kind::length: add_rich<RichLength>(list, spec, name, Scalarm(value), Scalarm(0), Scalarm(diagonal), label, tip); break;
     case Kind::save_file: add_rich<RichFile>(list, spec, name, "", "*.ply", label, tip); break;
     case Kind::choice: {
       QStringList choices;
