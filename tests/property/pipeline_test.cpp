@@ -236,6 +236,13 @@ TEST(PipelineRefuses, MoreMemoryThanTheLimit)
   EXPECT_TRUE(mentions(text, "memory_limit_mb")) << text;
 }
 
+TEST(PipelineRefuses, NoiseLargerThanTheMesh)
+{
+  Parameters p;
+  p.noise = 1e200;
+  EXPECT_TRUE(mentions(refusal(icosphere(2), p), "'noise'"));
+}
+
 TEST(PipelineRefuses, ParametersOutOfRange)
 {
   Parameters p = published_method();

@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "integral_invariant/features/crest_linking.h"
 #include "integral_invariant/features/surface_walk.h"
 #include "integral_invariant/features/topology.h"
+#include "integral_invariant/parameters.h"
+#include "integral_invariant/support/error.h"
 
 namespace integral_invariant {
 
@@ -166,6 +169,9 @@ void add_lines(const Surface& surface, const Topology& topology, const Profile& 
 std::vector<CrestLine> find_crest_lines(const Surface& surface, const CurvatureField& field,
                                         const CrestLineParameters& p, Execution& execution)
 {
+  if (p.smoothing_passes > limits::max_smoothing_passes)
+    throw ParameterError("The parameter 'smoothing_passes' must be at most " +
+                         std::to_string(limits::max_smoothing_passes) + ".");
   const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution);
   const Topology topology(surface);
   std::vector<CrestLine> lines;
