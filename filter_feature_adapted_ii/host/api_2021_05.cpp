@@ -87,7 +87,7 @@ std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(
 		throw MLException(ii::failure_text(error).c_str());
 	}
 	catch (...) {
-		throw MLException("An unknown error stopped the filter.");
+		throw MLException("An unknown error stopped the filter. The mesh is unchanged.");
 	}
 }
 
