@@ -230,7 +230,7 @@ class FftEngine : public MomentEngine {
     for (const TileLayout& layout : layouts) {
       total += layout.shape.cost;
       require_memory(least_bytes(layout), memory_limit_mb_, "The voxel grid (" + std::to_string(layout.tiles.size()) + " tiles)",
-                     "Lower fft_cells_per_radius or raise r_min.");
+                     "Lower fft_cells_per_radius, raise r_min");
     }
     for (std::size_t scale = 0; scale < layouts.size(); ++scale) {
       const double next = done + layouts[scale].shape.cost;
