@@ -106,6 +106,7 @@ std::vector<Action> about_parameters()
       curvature(sphere, [](Parameters& p) { p.r_min = 0.5, p.r_max = 0.2; }),
       curvature(sphere, [=](Parameters& p) { fixed(p), p.radius = 1e-9; }),
       curvature(sphere, [](Parameters& p) { p.r_min = 0.5, p.r_max = 0.5001; }),
+      curvature(sphere, [](Parameters& p) { p.engine = EngineKind::volume_fft, p.r_min = 0.01; }),
       curvature(sphere, [](Parameters& p) { p.noise = 1e9; }),
       ridges([](auto& p) { p.threshold = FeatureThreshold::curvature, p.high_curvature = 0; }),
       ridges([](auto& p) { p.threshold = FeatureThreshold::curvature, p.high_curvature = 1, p.low_curvature = 2; }),
@@ -137,7 +138,7 @@ Action voxels(const TriangleMesh& mesh, double radius, double cells_per_radius, 
 
 TriangleMesh needle()
 {
-  TriangleMesh mesh = icosphere(3);
+  TriangleMesh mesh = icosphere(5);
   for (Vec3& p : mesh.positions) p.z *= 1000;
   return mesh;
 }
@@ -149,8 +150,8 @@ std::vector<Action> about_memory()
           curvature(sphere, [](Parameters& p) { p = published_method(), p.scales = 1, p.memory_limit_mb = 7; }),
           feature(FilterId::signature, [](Request& r) { r.method.memory_limit_mb = 1; }, sphere),
           feature(FilterId::principal_directions, [](Request& r) { r.direction.spacing = 0.0005, r.method.memory_limit_mb = 300; }),
-          voxels(needle(), 1, 8, 2),
-          voxels(joined(icosphere(1), translated(icosphere(1), {1e7, 0, 0})), 0.01, 20, 300),
+          voxels(needle(), 0.11 * average_edge_length(needle()), 30, 10),
+          voxels(joined(icosphere(1), translated(icosphere(1), {1e7, 0, 0})), 0.06, 20, 300),
           voxels(icosphere(3), 0.5, 40, 20),
           [=] { compute_curvature(sphere, {}, [](int, const char*) { return false; }); }};
 }
