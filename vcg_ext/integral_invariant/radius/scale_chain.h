@@ -11,27 +11,18 @@
 
 namespace integral_invariant {
 
-/// A quantity of up to two components, measured at every scale of every vertex, with measurement noise whose variance is
-/// coefficient · s² / r^power for each component, independent between differences of scales (see disc_variance).
+/// A quantity of up to two components, measured at every scale of every vertex, with noise whose differences between scales
+/// are independent (see disc_variance).
 struct Signal {
   int components;
-  bool is_curvature;
-  double coefficient;
-  int power;
   std::vector<std::array<float, 2>> values;  ///< n × scales
-
-  const std::array<float, 2>& at(std::size_t v, std::size_t scales, int scale) const
-  {
-    return values[v * scales + std::size_t(scale)];
-  }
+  std::vector<float> noise;                  ///< n × scales: variance of either component
 };
 
 /// What all signals of a run share.
 struct ScaleEvidence {
   const std::vector<double>& radii;
   const WholeBalls& balls;
-  const std::vector<double>& density;       ///< n: s²
-  const std::vector<double>& flatness;      ///< n: further error of a curvature, times r⁴
   const std::vector<double>& least_radius;  ///< n: smaller balls are not linear in the noise and say nothing
   const std::vector<GridPool>& pools;       ///< one a scale but the largest, for averages over the neighbourhood
   bool predict;                             ///< whether a scale is predicted from the larger one: removes bias
