@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// accuracy peers|ours [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
+// accuracy peers|ours|cost [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
 //
-// peers: each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line
+// cost: processor time of the default settings and of the published ones, one line a cell. peers: each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line
 // a cell, judged at the same vertices of the same noisy meshes.
 #include <chrono>
 #include <cstdio>
@@ -37,8 +37,8 @@ Options read_options(int argc, char** argv)
     if (!std::strcmp(argv[i], "--cells")) o.filter = argv[i + 1];
     if (!std::strcmp(argv[i], "--part")) std::sscanf(argv[i + 1], "%d/%d", &o.part, &o.parts);
   }
-  if ((o.mode != "peers" && o.mode != "ours") || argc % 2)
-    throw std::invalid_argument("usage: accuracy peers|ours [--models FOLDER] [--cells TEXT] [--part I/N]");
+  if ((o.mode != "peers" && o.mode != "ours" && o.mode != "cost") || argc % 2)
+    throw std::invalid_argument("usage: accuracy peers|ours|cost [--models FOLDER] [--cells TEXT] [--part I/N]");
   return o;
 }
 
@@ -96,12 +96,37 @@ void run_ours(const Cell& cell, const TruthMesh& truth)
   print(cell, "ours", 0, compare(truth, estimates), r.noise / edge, seconds);
 }
 
+/// Processor time of the fastest of three runs.
+double processor_seconds(const TriangleMesh& mesh, const integral_invariant::Parameters& parameters)
+{
+  double fastest = 1e300;
+  for (int run = 0; run < 3; ++run) {
+    const double start = benchmark::processor_seconds();
+    integral_invariant::compute_curvature(mesh, parameters);
+    fastest = std::min(fastest, benchmark::processor_seconds() - start);
+  }
+  return fastest;
+}
+
+void run_cost(const Cell& cell, const TruthMesh& truth)
+{
+  const TriangleMesh mesh = with_noise(truth, cell.sigma, cell.seed());
+  const double automatic = processor_seconds(mesh, {});
+  const double published = processor_seconds(mesh, integral_invariant::published_method());
+  std::printf("%s,%s,%g,%zu,%.4g,%.4g\n", cell.shape.c_str(), cell.meshing.c_str(), cell.sigma, mesh.positions.size(),
+              automatic, published);
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
-  print_header();
+  if (options.mode == "cost")
+    std::puts("shape,meshing,sigma,vertices,default_seconds,published_seconds");
+  else
+    print_header();
   TruthMesh truth;
   std::string loaded;
   int mesh = -1;
@@ -111,7 +136,9 @@ try {
     if (mesh % options.parts != options.part || cell.name().find(options.filter) == std::string::npos) continue;
     if (name != loaded) truth = load(cell, options.models);
     loaded = name;
-    options.mode == "peers" ? run_peers(cell, truth) : run_ours(cell, truth);
+    if (options.mode == "peers") run_peers(cell, truth);
+    if (options.mode == "ours") run_ours(cell, truth);
+    if (options.mode == "cost") run_cost(cell, truth);
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

@@ -188,12 +188,15 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
     add_vertex_step(fitted.deviator, pools.front(), deviator);
     add_vertex_step(fitted.normal, pools.front(), normal);
   }
+  // Measured: variances are first order in the noise; slopes of strong noise make the errors larger.
+  constexpr double second_order = 1.5;
   StatisticalCurvature result;
   result.tensor.resize(n);
   for (std::size_t v = 0; v < n; ++v) {
     result.tensor[v] = assemble(frames[v], mean.value[v][0], deviator.value[v], normal.value[v]);
     result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
-    result.standard_error.push_back(std::sqrt(std::max(0.0, mean.variance[v] + deviator.variance[v])));
+    const double variance = std::max(0.0, mean.variance[v] + deviator.variance[v]);
+    result.standard_error.push_back(std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v])));
   }
   result.radius = mean.radius;
   return result;
