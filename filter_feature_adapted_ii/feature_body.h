@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "feature_outcome.h"
@@ -35,23 +36,29 @@ FeatureOutcome measure_feature(FilterId filter, const MeshType& mesh, const Requ
   return outcome;
 }
 
-/// The values as a named attribute of the vertices, in the host's scalar type: others are not listed by later releases.
+/// The values as named attributes of the vertices, in the host's scalar type: others are not listed by later releases. All
+/// of them, or none where memory runs out.
 template <class MeshType>
-void write_attribute(MeshType& mesh, const NamedValues& attribute)
+void write_attributes(MeshType& mesh, const std::vector<NamedValues>& attributes)
 {
   using Scalar = typename MeshType::ScalarType;
-  using Allocator = vcg::tri::Allocator<MeshType>;
-  if (vcg::tri::HasPerVertexAttribute(mesh, attribute.name)) Allocator::DeletePerVertexAttribute(mesh, attribute.name);
-  auto handle = Allocator::template AddPerVertexAttribute<Scalar>(mesh, attribute.name);
+  using Transaction = vcg::tri::VertexAttributeTransaction<MeshType>;
+  Transaction transaction(mesh, attributes.size());
+  std::vector<typename Transaction::template Handle<Scalar>> handles;
+  handles.reserve(attributes.size());
+  for (const NamedValues& attribute : attributes) handles.push_back(transaction.template Attribute<Scalar>(attribute.name));
+  transaction.Commit();
   vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>::ForEachVertexWithIndex(
-      mesh, [&](typename MeshType::VertexType& vertex, std::size_t v) { handle[vertex] = Scalar(attribute.values[v]); });
+      mesh, [&](typename MeshType::VertexType& vertex, std::size_t v) {
+        for (std::size_t i = 0; i < handles.size(); ++i) handles[i][vertex] = Scalar(attributes[i].values[v]);
+      });
 }
 
 /// Selects the vertices of the regions, and the faces that lie inside one.
+/// `of_slot` has one entry a vertex, deleted ones included, all -1.
 template <class MeshType>
-void write_selection(MeshType& mesh, const std::vector<std::int32_t>& region)
+void write_selection(MeshType& mesh, const std::vector<std::int32_t>& region, std::vector<std::int32_t> of_slot)
 {
-  std::vector<std::int32_t> of_slot(mesh.vert.size(), -1);  // by place in the vector, deleted vertices included
   vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>::ForEachVertexWithIndex(
       mesh, [&](typename MeshType::VertexType& vertex, std::size_t v) {
         of_slot[vcg::tri::Index(mesh, vertex)] = region[v];
@@ -68,20 +75,21 @@ void write_selection(MeshType& mesh, const std::vector<std::int32_t>& region)
   }
 }
 
-/// Writes selection, quality, colour and attributes. The host has enabled the fields.
+/// Writes selection, quality, colour and attributes: all, or nothing where memory runs out. The host has enabled the fields.
 template <class MeshType>
 void write_feature(MeshType& mesh, const FeatureOutcome& outcome)
 {
   using Update = vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>;
   using Vertex = typename MeshType::VertexType;
-  if (!outcome.selection.empty()) write_selection(mesh, outcome.selection);
+  std::vector<std::int32_t> of_slot(outcome.selection.empty() ? 0 : mesh.vert.size(), -1);
+  write_attributes(mesh, outcome.attributes);  // the last that can fail
+  if (!outcome.selection.empty()) write_selection(mesh, outcome.selection, std::move(of_slot));
   Update::ForEachVertexWithIndex(mesh, [&](Vertex& vertex, std::size_t v) {
     if (!outcome.quality.empty()) vertex.Q() = Update::template Representable<typename Vertex::QualityType>(outcome.quality[v]);
     if (outcome.colors.empty()) return;
     const Color color = outcome.colors[v];
     vertex.C() = vcg::Color4b(color[0], color[1], color[2], 255);
   });
-  for (const NamedValues& attribute : outcome.attributes) write_attribute(mesh, attribute);
 }
 
 /// Fills the empty mesh of a new layer with vertices and edges. The host has enabled quality and colour.
@@ -104,7 +112,7 @@ void fill_with_lines(MeshType& mesh, const LineLayer& lines)
   Allocator::AddEdges(mesh, lines.edges.size());
   for (std::size_t e = 0; e < lines.edges.size(); ++e)
     for (int end = 0; end < 2; ++end) mesh.edge[e].V(end) = &mesh.vert[std::size_t(lines.edges[e][std::size_t(end)])];
-  for (const NamedValues& attribute : lines.attributes) write_attribute(mesh, attribute);
+  write_attributes(mesh, lines.attributes);
   vcg::tri::UpdateBounding<MeshType>::Box(mesh);
 }
 

@@ -116,7 +116,8 @@ FeatureOutcome crest_lines(const TriangleMesh& mesh, const Request& request, con
 
 FeatureOutcome principal_directions(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
 {
-  const DirectionParameters& p = request.direction;
+  DirectionParameters p = request.direction;
+  p.memory_limit_mb = request.method.memory_limit_mb;
   if (!p.maximal && !p.minimal) throw ParameterError("Nothing is asked for: set 'maximal' or 'minimal' to true.");
   Measured measured(mesh, request, progress);
   measured.execution.begin_stage("directions", 100);

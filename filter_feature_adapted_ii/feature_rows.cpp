@@ -17,12 +17,6 @@ using O = OutputOptions;
 constexpr int most_passes = 100;
 constexpr double largest_real = 1e30;  // hosts keep numbers in single precision
 
-std::vector<ParameterSpec> joined(std::vector<ParameterSpec> rows, const std::vector<ParameterSpec>& more)
-{
-  rows.insert(rows.end(), more.begin(), more.end());
-  return rows;
-}
-
 /// What decides the curvatures, for filters whose dialog has parameters of its own to show.
 std::vector<ParameterSpec> curvature_source_rows()
 {

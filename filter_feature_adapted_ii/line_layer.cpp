@@ -2,9 +2,19 @@
 // Lines on the surface as layers of edges.
 #include "line_layer.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace integral_invariant::filter {
 
 namespace {
+
+/// In the single precision of attributes, which a mesh in very small units leaves.
+float storable(double value)
+{
+  constexpr double largest = std::numeric_limits<float>::max();
+  return float(std::clamp(value, -largest, largest));
+}
 
 class LayerBuilder {
  public:
@@ -32,7 +42,7 @@ class LayerBuilder {
     if (colorize_) layer_.colors.push_back(first_kind_ ? first_color : second_color);
     layer_.attributes[0].values.push_back(float(line_));
     layer_.attributes[1].values.push_back(first_kind_ ? 1.0F : -1.0F);
-    layer_.attributes[2].values.push_back(float(strength));
+    layer_.attributes[2].values.push_back(storable(strength));
   }
 
   void end_line(bool closed)

@@ -51,6 +51,13 @@ std::vector<ParameterSpec> method_rows()
           {"Engine",
            "What measures the balls. Volume (FFT): convolutions on a voxel grid; the mesh must be closed. Surface "
            "integral: sums over the triangles without a grid; open meshes too.", "[Pottmann07], [Lai09] 4.1"}),
+  };
+}
+
+/// What few people change, and the later releases' dialogs show on request only.
+std::vector<ParameterSpec> detail_rows()
+{
+  std::vector<ParameterSpec> rows = {
       choice<&P::spacing>("scale_spacing", {"Linear", "Geometric"},
           {"Spacing of the scales",
            "Linear: equal steps between the radii. Geometric: equal ratios, which reach a large radius with few scales. A "
@@ -89,6 +96,8 @@ std::vector<ParameterSpec> method_rows()
       integer<&P::memory_limit_mb>("memory_limit_mb", "MB", {0, largest_int},
           {"Memory limit (MB; 0: automatic)", "The most memory that may be used; 0: half of the machine's."}),
   };
+  for (ParameterSpec& spec : rows) spec.advanced = true;
+  return rows;
 }
 
 std::vector<ParameterSpec> output_rows()
@@ -119,13 +128,7 @@ std::vector<ParameterSpec> output_rows()
 
 std::vector<ParameterSpec> curvature_rows()
 {
-  std::vector<ParameterSpec> rows = method_rows();
-  // What the user looks at first comes right after the radii and the engine.
-  const auto before_details = std::find_if(rows.begin(), rows.end(),
-                                           [](const ParameterSpec& spec) { return std::string(spec.name) == "scale_spacing"; });
-  const std::vector<ParameterSpec> output = output_rows();
-  rows.insert(before_details, output.begin(), output.end());
-  return rows;
+  return joined(joined(method_rows(), output_rows()), detail_rows());
 }
 
 std::vector<ParameterSpec> shared_rows(std::initializer_list<const char*> names)

@@ -51,7 +51,7 @@ ParameterSpec row(const char* name, Kind kind, const char* unit, Range range, st
                   const Words& words)
 {
   return {name, kind, unit, range.minimum, range.maximum, range.above_minimum,
-          std::move(choices), words.label, words.tip, words.source, &Field<Member>::get, &Field<Member>::set};
+          std::move(choices), words.label, words.tip, words.source, &Field<Member>::get, &Field<Member>::set, false};
 }
 
 template <auto Member>
@@ -87,7 +87,13 @@ ParameterSpec choice(const char* name, std::vector<const char*> choices, const W
 
 inline ParameterSpec save_file(const char* name, const Words& words)
 {
-  return {name, Kind::save_file, "", 0, 0, false, {}, words.label, words.tip, words.source, nullptr, nullptr};
+  return {name, Kind::save_file, "", 0, 0, false, {}, words.label, words.tip, words.source, nullptr, nullptr, false};
+}
+
+inline std::vector<ParameterSpec> joined(std::vector<ParameterSpec> rows, const std::vector<ParameterSpec>& more)
+{
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
 }
 
 /// The table of "Compute Curvature by Integral Invariants per Vertex".

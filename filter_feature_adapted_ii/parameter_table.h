@@ -30,6 +30,7 @@ struct ParameterSpec {
   const char* source;                ///< where in the literature it comes from; "" where it is this project's
   double (*get)(const Request&);     ///< null for a save_file, whose text goes to output.export_file
   void (*set)(Request&, double);
+  bool advanced;  ///< dialogs that can fold rows away show this one on request only
 };
 
 /// All parameters of a filter, in the order of the dialog.

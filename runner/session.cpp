@@ -111,6 +111,8 @@ int saved_fields(const MeshModel& mesh, int capability, int format_defaults)
   int mask = format_defaults & ~Mask::IOM_CAMERA;  // the camera is nobody's: there is no window
   for (const auto& [in_mesh, in_file] : fields)
     mask = mesh.hasDataMask(in_mesh) ? mask | in_file : mask & ~in_file;
+  if (mesh.cm.en > 0) mask |= Mask::IOM_EDGEINDEX;
+  if (mesh.cm.fn == 0) mask &= ~Mask::IOM_BITPOLYGONAL;  // the copy with polygons that is then saved has no edges
   return mask & capability;
 }
 

@@ -223,6 +223,8 @@ def table_for(data, name, quantity, percentile=96):
 
 
 THREE = ("small", "large", "adapted")
+ALL = THREE + ("statistical",)
+TITLES = ("fixed, 2 edges", "fixed, 8 edges", "adapted, 2 to 8 edges", "default of this plugin")
 ARMADILLO = {"view": "180,5"}
 LUCY = {"view": "180,5", "up": "z"}
 FACE = {"view": "180,5", "focus": (0.5, 0.84, 0.30)}
@@ -230,9 +232,9 @@ BUDDHA_FACE = {"view": "0,5", "focus": (0.5, 0.84, 0.28)}
 
 
 def figure_2(data):
-    """Directions of maximal curvature at a small, a large and the adapted radius."""
+    """Directions of maximal curvature at a small, a large and the adapted radius, and by default."""
     panels = []
-    for radius, title in zip(THREE, ("fixed, 2 edges", "fixed, 8 edges", "adapted, 2 to 8 edges")):
+    for radius, title in zip(ALL, TITLES):
         shape = Shape(data / f"armadillo_{radius}.ply")
         lines = lines_actor(shape, data / f"armadillo_directions_{radius}.ply", 1.3, (0.1, 0.1, 0.12))
         panels.append(panel(shape, [plain_actor(shape), lines], title=title, **FACE))
@@ -250,30 +252,29 @@ def figure_3(data):
 
 
 def figure_4(data):
-    """Mean curvature at a small, a large and the adapted radius, with close-ups."""
-    names = [f"lucy_{radius}" for radius in THREE]
-    titles = ("fixed, 2 edges", "fixed, 8 edges", "adapted, 2 to 8 edges")
+    """Mean curvature at a small, a large and the adapted radius, and by default, with close-ups."""
+    names = [f"lucy_{radius}" for radius in ALL]
     table = table_for(data, names[2], "mean", 95)
     close = {**LUCY, "focus": (0.45, 0.72, 0.26)}
-    return [curvature_panels(data, names, titles, "mean", table, **LUCY) +
+    return [curvature_panels(data, names, TITLES, "mean", table, **LUCY) +
             [legend(table, "mean curvature", "1 / length", PANEL[1])],
-            curvature_panels(data, names, ("", "", ""), "mean", table, **close) + [blank(PANEL[1])]]
+            curvature_panels(data, names, [""] * 4, "mean", table, **close) + [blank(PANEL[1])]]
 
 
 def figure_5(data):
     """The noisy Buddha."""
-    names = ["buddha_clean_curvature"] + [f"buddha_noisy_curvature_{radius}" for radius in THREE]
-    titles = ("no noise, adapted", "noise, fixed, 3 edges", "noise, fixed, 10 edges", "noise, adapted")
+    names = ["buddha_clean_curvature"] + [f"buddha_noisy_curvature_{radius}" for radius in ALL]
+    titles = ("no noise, adapted", "noise, fixed, 3 edges", "noise, fixed, 10 edges", "noise, adapted", "noise, default")
     table = table_for(data, names[0], "mean", 95)
     return [curvature_panels(data, names, titles, "mean", table, view="0,5") +
             [legend(table, "mean curvature", "1 / length", PANEL[1])],
-            curvature_panels(data, names, [""] * 4, "mean", table, **BUDDHA_FACE) + [blank(PANEL[1])]]
+            curvature_panels(data, names, [""] * 5, "mean", table, **BUDDHA_FACE) + [blank(PANEL[1])]]
 
 
 def figure_6(data):
-    """Ridges and valleys at one scale against adapted ones."""
+    """Ridges and valleys at one scale against adapted ones and those of the default."""
     panels = []
-    for radius, title in zip(THREE, ("fixed, 2 edges", "fixed, 8 edges", "adapted, 2 to 8 edges")):
+    for radius, title in zip(ALL, TITLES):
         shape = Shape(data / f"armadillo_features_{radius}.ply")
         panels.append(panel(shape, [feature_actor(shape)], title=title, **ARMADILLO))
     return [panels + [key([(RIDGE, "ridges"), (VALLEY, "valleys")], PANEL[1])]]
@@ -281,12 +282,13 @@ def figure_6(data):
 
 def figure_lines(data):
     """Crest lines, and lines of curvature: what the plugin adds to the paper."""
-    shape = Shape(data / "armadillo_adapted.ply")
+    shape = Shape(data / "armadillo_statistical.ply")
     crest = panel(shape, [plain_actor(shape), lines_actor(shape, data / "armadillo_crest.ply", 1.8)],
                   title="crest lines", **ARMADILLO)
     traced = panel(shape, [plain_actor(shape), lines_actor(shape, data / "armadillo_lines.ply", 1.0)],
                    title="lines of curvature", **FACE)
-    return [[crest, key([(RIDGE, "ridge,"), (RIDGE, "maximal"), (VALLEY, "valley,"), (VALLEY, "minimal")], PANEL[1]), traced]]
+    return [[crest, key([(RIDGE, "ridges"), (VALLEY, "valleys")], PANEL[1]), traced,
+             key([(RIDGE, "maximal"), (VALLEY, "minimal")], PANEL[1])]]
 
 
 def blank(height):

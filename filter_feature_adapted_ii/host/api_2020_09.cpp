@@ -71,7 +71,7 @@ bool FilterFeatureAdaptedIIPlugin::applyFilter(
 		errorMessage = ii::failure_text(error).c_str();
 	}
 	catch (...) {
-		errorMessage = "An unknown error stopped the filter.";
+		errorMessage = "An unknown error stopped the filter. The mesh is unchanged.";
 	}
 	Log(errorMessage.toStdString()); // meshlabserver prints the log, but not the message
 	return false;

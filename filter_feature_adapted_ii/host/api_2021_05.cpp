@@ -51,7 +51,8 @@ FilterPlugin::FilterClass FilterFeatureAdaptedIIPlugin::getClass(const QAction* 
 }
 
 FilterPlugin::FilterArity FilterFeatureAdaptedIIPlugin::filterArity(const QAction*) const { return SINGLE_MESH; }
-int FilterFeatureAdaptedIIPlugin::getPreConditions(const QAction*) const { return MeshModel::MM_FACENUMBER; }
+// What a mesh lacks, the filter says in a better sentence than "the mesh has no Any Faces".
+int FilterFeatureAdaptedIIPlugin::getPreConditions(const QAction*) const { return MeshModel::MM_NONE; }
 int FilterFeatureAdaptedIIPlugin::postCondition(const QAction* action) const
 {
 	return ii::written_fields(filter_of(ID(action)));
@@ -86,7 +87,7 @@ std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(
 		throw MLException(ii::failure_text(error).c_str());
 	}
 	catch (...) {
-		throw MLException("An unknown error stopped the filter.");
+		throw MLException("An unknown error stopped the filter. The mesh is unchanged.");
 	}
 }
 

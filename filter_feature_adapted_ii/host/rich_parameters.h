@@ -2,7 +2,8 @@
 // What both plugin interfaces share: the table as MeshLab's parameter classes, and the fields that the filter writes.
 #pragma once
 
-#include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "../filter_body.h"
 
@@ -38,21 +39,32 @@ inline QString tooltip(const ParameterSpec& spec)
   return text;
 }
 
+/// Adds a parameter of class Rich. The dialogs of 2021.05 and later show advanced ones on request only; that of 2020.09
+/// shows all.
+template <class Rich, class... Arguments>
+void add_rich(RichParameterList& list, const ParameterSpec& spec, Arguments&&... value_and_words)
+{
+  if constexpr (std::is_constructible_v<Rich, Arguments..., bool>)
+    list.addParam(Rich(std::forward<Arguments>(value_and_words)..., spec.advanced));
+  else
+    list.addParam(Rich(std::forward<Arguments>(value_and_words)...));
+}
+
 /// One row of the table as the parameter class that MeshLab's dialogs know.
 inline void add_parameter(const ParameterSpec& spec, double diagonal, RichParameterList& list)
 {
   const double value = default_value(spec);
   const QString name = spec.name, label = spec.label, tip = tooltip(spec);
   switch (spec.kind) {
-    case Kind::boolean: list.addParam(RichBool(name, value != 0, label, tip)); break;
-    case Kind::integer: list.addParam(RichInt(name, int(value), label, tip)); break;
-    case Kind::real: list.addParam(RichFloat(name, Scalarm(value), label, tip)); break;
-    case Kind::length: list.addParam(RichLength(name, Scalarm(value), 0, Scalarm(diagonal), label, tip)); break;
-    case Kind::save_file: list.addParam(RichFile(name, "", "*.ply", label, tip)); break;
+    case Kind::boolean: add_rich<RichBool>(list, spec, name, value != 0, label, tip); break;
+    case Kind::integer: add_rich<RichInt>(list, spec, name, int(value), label, tip); break;
+    case Kind::real: add_rich<RichFloat>(list, spec, name, Scalarm(value), label, tip); break;
+    case Kind::length: add_rich<RichLength>(list, spec, name, Scalarm(value), Scalarm(0), Scalarm(diagonal), label, tip); break;
+    case Kind::save_file: add_rich<RichFile>(list, spec, name, "", "*.ply", label, tip); break;
     case Kind::choice: {
       QStringList choices;
       for (const char* choice : spec.choices) choices << choice;
-      list.addParam(RichEnum(name, int(value), choices, label, tip));
+      add_rich<RichEnum>(list, spec, name, int(value), choices, label, tip);
       break;
     }
   }

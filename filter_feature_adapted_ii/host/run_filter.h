@@ -74,7 +74,7 @@ inline RunReport run_filter(FilterId filter, MeshDocument& document, const RichP
                             const ProgressCallback& progress)
 {
   MeshModel* mesh = document.mm();
-  if (!mesh) throw InputError("There is no mesh to measure.");
+  if (!mesh) throw InputError("There is no mesh to measure: open one first.");
   const Request request = read_request(parameters, filter);
   if (filter == FilterId::curvature) return run_curvature(*mesh, request, progress);
   return run_feature(filter, document, request, progress);

@@ -7,6 +7,7 @@ PACKAGES_BUILD=(g++ cmake ninja-build pkg-config libfftw3-dev libeigen3-dev libg
 PACKAGES_HOST_2020_09=(meshlab chemical-mime-data xvfb xauth)
 PACKAGES_PICTURE=(python3-vtk9 python3-numpy libgl1-mesa-dri xvfb xauth)
 PACKAGES_TESTS=(libgtest-dev libbenchmark-dev python3-venv)
+PACKAGES_CLANG=(clang-14 libclang-rt-14-dev)
 
 # require_packages PACKAGE...: installs those that are not installed.
 require_packages() {

@@ -20,8 +20,12 @@ once() {
   mv "$data/$name.log.part" "$data/$name.log"
 }
 
-# three_radii NAME MESH SMALL LARGE PARAMETER...: the same run with a small, a large and an adapted radius (in edges).
-three_radii() {
+# What the filter does by default, where `published` above says otherwise.
+BY_DEFAULT=(radius_choice=2 estimator=2 scales=7)
+
+# all_radii NAME MESH SMALL LARGE PARAMETER...: the same run with a small, a large and an adapted radius (in edges), and
+# as the plugin does it by default.
+all_radii() {
   local name=$1 mesh=$2 small large
   small=$(in_edges "$2" "$3")
   large=$(in_edges "$2" "$4")
@@ -29,6 +33,7 @@ three_radii() {
   once "${name}_small" "$mesh" "$@" radius_choice=1 "radius=$small"
   once "${name}_large" "$mesh" "$@" radius_choice=1 "radius=$large"
   once "${name}_adapted" "$mesh" "$@" "r_min=$small" "r_max=$large"
+  once "${name}_statistical" "$mesh" "$@" "${BY_DEFAULT[@]}"
 }
 
 # The statue at the resolution of the paper's; with noise of a fifth of an edge along the normals.
@@ -42,18 +47,17 @@ make_buddha() {
 }
 
 compute_figure_data() {
-  three_radii armadillo "$armadillo" 2 8
-  three_radii armadillo_directions "$armadillo" 2 8 --filter create_principal_direction_layer style=1 maximal=true \
+  all_radii armadillo "$armadillo" 2 8
+  all_radii armadillo_directions "$armadillo" 2 8 --filter create_principal_direction_layer style=1 maximal=true \
     "spacing=$(in_edges "$armadillo" 1.6)" "segment_length=$(in_edges "$armadillo" 1.5)" umbilic=0
-  three_radii armadillo_features "$armadillo" 2 8 --filter select_ridges_and_valleys_by_curvature high_percentile=92 \
+  all_radii armadillo_features "$armadillo" 2 8 --filter select_ridges_and_valleys_by_curvature high_percentile=92 \
     low_percentile=82
-  once armadillo_crest "$armadillo" --filter create_crest_lines_layer "r_min=$(in_edges "$armadillo" 2)" \
-    "r_max=$(in_edges "$armadillo" 8)" minimum_strength=3
-  once armadillo_lines "$armadillo" --filter create_principal_direction_layer minimal=true \
-    "r_min=$(in_edges "$armadillo" 2)" "r_max=$(in_edges "$armadillo" 8)" "spacing=$(in_edges "$armadillo" 2.5)"
-  three_radii lucy "$lucy" 2 8
+  once armadillo_crest "$armadillo" --filter create_crest_lines_layer "${BY_DEFAULT[@]}" minimum_strength=3
+  once armadillo_lines "$armadillo" --filter create_principal_direction_layer minimal=true "${BY_DEFAULT[@]}" \
+    "spacing=$(in_edges "$armadillo" 2.5)"
+  all_radii lucy "$lucy" 2 8
   make_buddha
-  three_radii buddha_noisy_curvature "$data/buddha_noisy.ply" 3 10
+  all_radii buddha_noisy_curvature "$data/buddha_noisy.ply" 3 10
   once buddha_noisy_unsmoothed "$data/buddha_noisy.ply" "r_min=$(in_edges "$data/buddha_noisy.ply" 3)" \
     "r_max=$(in_edges "$data/buddha_noisy.ply" 10)" smooth_radius=false
   once buddha_noisy_smoothed "$data/buddha_noisy.ply" "r_min=$(in_edges "$data/buddha_noisy.ply" 3)" \

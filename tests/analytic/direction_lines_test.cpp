@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "integral_invariant/pipeline.h"
+#include "integral_invariant/support/error.h"
 #include "support/feature_shapes.h"
 
 using namespace integral_invariant;
@@ -216,4 +217,28 @@ TEST(DirectionLines, SegmentsAreEvenlySpacedTangentAndOfTheAskedLength)
     for (const DirectionSegment& t : segments)
       if (t.vertex != s.vertex) { ASSERT_GT(norm(mesh.positions[s.vertex] - mesh.positions[t.vertex]), 0.299); }
   }
+}
+
+TEST(DirectionLines, LengthsOutOfRangeAreRefusedByName)
+{
+  const TriangleMesh mesh = torus(major, tube, 40, 12);
+  const Result result = torus_curvature(mesh, major, tube);
+  for (const double spacing : {1e-300, -1.0, 1e300, HUGE_VAL, std::nan("")}) {
+    const DirectionParameters p = family(DirectionFamily::maximal, spacing);
+    for (const bool traced : {true, false}) try {
+        if (traced) lines_of(mesh, result, p);
+        else direction_segments(Surface(mesh), curvature_field(result), p);
+        ADD_FAILURE() << spacing;
+      } catch (const ParameterError& e) {
+        EXPECT_NE(std::string(e.what()).find("'spacing'"), std::string::npos) << e.what();
+      }
+  }
+}
+
+TEST(DirectionLines, LinesThatWouldNotFitIntoMemoryAreRefused)
+{
+  const TriangleMesh mesh = torus(major, tube, 40, 12);
+  DirectionParameters p = family(DirectionFamily::maximal, 2e-3 * average_edge_length(mesh));
+  p.memory_limit_mb = 100;
+  EXPECT_THROW(lines_of(mesh, torus_curvature(mesh, major, tube), p), MemoryError);
 }

@@ -75,7 +75,7 @@ TEST_P(FeatureFilters, CrestLinesAreTheCoresAndMeshLabSavesTheirEdges)
     EXPECT_NEAR(exported.property("ii_strength")[i], lines[0].strength, 1e-4);
     EXPECT_EQ(exported.property("ii_kind")[i], 1);
   }
-  if (host_.release == "2020.09") { EXPECT_EQ(count_lines(folder_ / "crest.obj", "l "), exported.edges.size()); }
+  EXPECT_EQ(count_lines(folder_ / "crest.obj", "l "), exported.edges.size());
   EXPECT_EQ(count_lines(folder_ / "crest.obj", "f "), 0u);
 }
 

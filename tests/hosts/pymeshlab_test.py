@@ -52,6 +52,34 @@ def check_refusals(found):
             raise AssertionError(f"{parameters} was not refused")
 
 
+def check_features(found):
+    """The other filters: what they return is what the meshes then hold."""
+    import pymeshlab
+    meshes, surface = found["meshes"], found["meshes"].current_mesh_id()
+    summary = meshes.apply_filter("select_ridges_and_valleys_by_curvature", high_percentile=90.0, low_percentile=80.0)
+    assert summary["ridges"] > 0
+    selected = meshes.current_mesh().vertex_selection_array()
+    assert selected.sum() == summary["selected_vertices"] > 0
+    kind = meshes.current_mesh().vertex_custom_scalar_attribute_array("ii_feature")
+    assert np.array_equal(kind != 0, selected)
+
+    summary = meshes.apply_filter("compute_multi_scale_integral_invariant_signature", scales=4)
+    volumes = [meshes.current_mesh().vertex_custom_scalar_attribute_array(f"ii_volume_{i}")
+               for i in range(1, summary["scales"] + 1)]
+    assert len(volumes) == 4 and all(np.abs(volume).max() <= 1 for volume in volumes)
+
+    layers = meshes.mesh_number()
+    for name, parameters in (("create_crest_lines_layer", {}), ("create_principal_direction_layer", {"spacing": pymeshlab.PureValue(0.2)})):
+        meshes.set_current_mesh(surface)
+        summary = meshes.apply_filter(name, **parameters)
+        layers += 1
+        assert meshes.mesh_number() == layers, name
+        lines = meshes.current_mesh()
+        assert summary["lines"] > 0 and lines.edge_number() > 0 and lines.face_number() == 0, name
+        assert lines.edge_matrix().max() < lines.vertex_number(), name
+        print(f"{name}: {summary['lines']} lines, {lines.edge_number()} edges")
+
+
 def main(document, plugin, mesh, core_file):
     core = np.fromfile(core_file).reshape(-1, 10)
     found = {}
@@ -60,6 +88,7 @@ def main(document, plugin, mesh, core_file):
     check_arrays(found, core)
     check_summary(found["summary"], core)
     check_refusals(found)
+    check_features(found)
     print("PyMeshLab and the core agree")
 
 

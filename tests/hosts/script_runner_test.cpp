@@ -2,10 +2,12 @@
 // The runner as users of later releases meet it: options, exit statuses, what it saves.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "hosts/host.h"
+#include "support/message_list.h"
 #include "support/shapes.h"
 
 namespace test_support {
@@ -31,7 +33,22 @@ class ScriptRunner : public testing::Test {
     const ProgramResult result = run(arguments);
     EXPECT_EQ(result.status, status) << result.output;
     EXPECT_NE(result.output.find(sentence), std::string::npos) << "expected: " << sentence << "\noutput:\n" << result.output;
+    EXPECT_TRUE(is_listed(last_words(result.output))) << "not in docs/messages.md: " << last_words(result.output);
     EXPECT_FALSE(fs::exists(folder_ / "saved.ply"));
+  }
+
+  /// What the program says at the end.
+  static std::string last_words(const std::string& output)
+  {
+    const std::string own_name = "meshlab_script_runner: ";
+    const std::size_t begin = output.rfind(own_name);
+    return begin == std::string::npos ? "" : output.substr(begin + own_name.size(), output.find('\n', begin) - begin - own_name.size());
+  }
+
+  static bool is_listed(const std::string& message)
+  {
+    const std::vector<std::string> listed = listed_messages("The runner");
+    return std::any_of(listed.begin(), listed.end(), [&](const std::string& l) { return is_message(message, l); });
   }
 
   std::string script(const std::string& text) const
@@ -91,6 +108,11 @@ TEST_F(ScriptRunner, EndsWith1WhereAFilterFails)
 {
   write_text(folder_ / "ours.mlx", with_value(filter_script({}), "alpha", "-3"));
   expect_failure({"--plugin", host_.plugin, "-i", "mesh.ply", "-s", "ours.mlx", "-o", "saved.ply"}, 1, "'alpha'");
+  const std::string ours = filter_script({});
+  const std::size_t begin = ours.find("<filter");
+  const std::string after = ours.substr(begin, ours.find("</FilterScript>") - begin);
+  expect_failure({"--plugin", host_.plugin, "-i", "mesh.ply", "-s", script("<filter name=\"Delete Current Mesh\"/>" + after), "-o",
+                  "saved.ply"}, 1, "There is no mesh to measure: open one first.");
 }
 
 TEST_F(ScriptRunner, EndsWith2WhereTheCommandLineIsBad)
@@ -128,12 +150,15 @@ TEST_F(ScriptRunner, EndsWith5WhereAScriptCannotBeUsed)
                  5, "has no parameter 'sugar'");
   expect_failure(with(script("<filter name=\"Invert Faces Orientation\"><Param type=\"RichInt\" name=\"forceFlip\" value=\"1\"/></filter>")),
                  5, "'forceFlip'");
+  expect_failure(with(script("<filter name=\"Ambient Occlusion\"/>")), 5, "needs MeshLab's window");
 }
 
 TEST_F(ScriptRunner, EndsWith6WhereTheOutputIsNotWritten)
 {
   expect_failure({"-i", "mesh.ply", "-o", "mesh.xyzzy"}, 6, "format");
   expect_failure({"-i", "mesh.ply", "-o", "nowhere/saved.ply"}, 6, "cannot write nowhere/saved.ply");
+  expect_failure({"-i", "mesh.ply", "-s", script("<filter name=\"Delete Current Mesh\"/>"), "-o", "saved.ply"}, 6,
+                 "left no mesh to save");
 }
 
 }  // namespace

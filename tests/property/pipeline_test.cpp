@@ -236,6 +236,24 @@ TEST(PipelineRefuses, MoreMemoryThanTheLimit)
   EXPECT_TRUE(mentions(text, "memory_limit_mb")) << text;
 }
 
+TEST(PipelineRefuses, RadiiUnderATenthOfAnEdgeWithTheVolumeEngine)
+{
+  const TriangleMesh mesh = icosphere(2);
+  Parameters p;
+  p.r_min = 0.05 * average_edge_length(mesh);
+  p.engine = EngineKind::surface_integral;
+  EXPECT_EQ(refusal(mesh, p), "accepted");
+  p.engine = EngineKind::volume_fft;
+  EXPECT_TRUE(mentions(refusal(mesh, p), "r_min"));
+}
+
+TEST(PipelineRefuses, NoiseLargerThanTheMesh)
+{
+  Parameters p;
+  p.noise = 1e200;
+  EXPECT_TRUE(mentions(refusal(icosphere(2), p), "'noise'"));
+}
+
 TEST(PipelineRefuses, ParametersOutOfRange)
 {
   Parameters p = published_method();

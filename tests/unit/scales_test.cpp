@@ -75,6 +75,31 @@ TEST(Scales, SmallestMustBeUnderTheLargest)
   }
 }
 
+TEST(Scales, RadiiThatCannotBeComputedAreRefusedByName)
+{
+  const auto refusal = [](double r_min, double r_max, int scales, RadiusChoice choice = RadiusChoice::feature_adapted) {
+    Parameters p = published_method();
+    p.radius_choice = choice;
+    p.r_min = p.radius = r_min * edge;
+    p.r_max = r_max * edge;
+    p.scales = scales;
+    try {
+      scale_radii(p, edge);
+    } catch (const ParameterError& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal(1e-3, 1e6, 8), "accepted");
+  EXPECT_NE(refusal(1e-4, 8, 8).find("'r_min'"), std::string::npos);
+  EXPECT_NE(refusal(1e-300, 8, 8).find("'r_min'"), std::string::npos);
+  EXPECT_NE(refusal(1, 2e6, 8).find("'r_max'"), std::string::npos);
+  EXPECT_NE(refusal(1e-4, 0, 8, RadiusChoice::fixed).find("'r_min'"), std::string::npos);
+  EXPECT_NE(refusal(1, std::nextafter(1.0, 2.0), 2).find("thousandth"), std::string::npos);
+  EXPECT_NE(refusal(1, 1.005, 8).find("reduce scales"), std::string::npos);
+  EXPECT_EQ(refusal(1, 1.008, 8), "accepted");
+}
+
 TEST(Parameters, EveryRangeIsHeld)
 {
   const auto rejected = [](const char* name, auto change) {

@@ -122,4 +122,12 @@ TEST(Surface, RefusesWithASentence)
   EXPECT_NE(refusal({{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}}}).find("area"), std::string::npos);
   EXPECT_NE(refusal({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3}}}).find("vertex 3"), std::string::npos);
   EXPECT_NE(refusal({{{0, 0, 0}, {1e308, 0, 0}, {-1e308, 1, 0}}, {{0, 1, 2}}}).find("too large"), std::string::npos);
+  EXPECT_NE(refusal({{{0, 0, 0}, {1e-101, 0, 0}, {0, 1e-101, 0}}, {{0, 1, 2}}}).find("too small"), std::string::npos);
+}
+
+TEST(Surface, RefusesFacesTooFarApartForACoordinate)
+{
+  const TriangleMesh near{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_EQ(refusal(test_support::joined(near, test_support::translated(near, {1e9, 0, 0}))), "accepted");
+  EXPECT_NE(refusal(test_support::joined(near, test_support::translated(near, {1e13, 0, 0}))).find("far apart"), std::string::npos);
 }

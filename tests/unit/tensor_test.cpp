@@ -103,3 +103,13 @@ TEST(PrincipalCurvatures, LargestAbsoluteAgreesWithTheValuesEvenWhereTheTensorLe
   const PrincipalCurvatures p = principal_curvatures(t);
   EXPECT_NEAR(largest_absolute_curvature(t), std::max(std::abs(p.kappa_max), std::abs(p.kappa_min)), 1e-14);
 }
+
+TEST(CurvatureTensor, BallAlmostEmptyHasNoDirection)
+{
+  BallMoments speck;
+  speck.volume = 1e-310;
+  speck.first = {1e-310, 0, 0};
+  const CurvatureTensor t = curvature_tensor(speck, 1);
+  EXPECT_EQ(largest_absolute_curvature(t), 0);
+  EXPECT_EQ(t.confidence, 0);
+}

@@ -3,6 +3,7 @@
 // their evidence. Everything between the checked surface and the result is in normalised units (average edge length 1).
 #include "integral_invariant/pipeline.h"
 
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "integral_invariant/radius/scales.h"
 #include "integral_invariant/radius/smoothing.h"
 #include "integral_invariant/radius/statistical.h"
+#include "integral_invariant/support/error.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
@@ -140,6 +142,17 @@ void curvature_by_evidence(const Surface& surface, OffsetFreeField field, const 
   }
 }
 
+/// Noise beyond this, in average edge lengths, leaves nothing to measure, and its powers overflow.
+void require_sensible_noise(double noise, double unit)
+{
+  constexpr double largest_noise = 1000;
+  if (noise / unit <= largest_noise) return;
+  std::ostringstream text;
+  text << "The parameter 'noise' is " << noise << ", more than " << largest_noise << " average edge lengths (" << unit
+       << "). Give the standard deviation in the unit of the mesh, or 0 to have it estimated.";
+  throw ParameterError(text.str());
+}
+
 void describe_run(const Surface& surface, const MomentEngine& engine, const std::vector<double>& scales,
                   const Execution& execution, Result& result)
 {
@@ -172,6 +185,7 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   execution.begin_stage("checking the surface", 4);
   const Surface surface(mesh);
   const std::vector<double> scales = scale_radii(parameters, surface.unit());
+  require_sensible_noise(parameters.noise, surface.unit());
   require_memory_for_arrays(surface.vertex_count(), scales.size(), parameters.memory_limit_mb);
 
   execution.begin_stage("ball moments", 80);

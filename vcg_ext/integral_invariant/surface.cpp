@@ -158,10 +158,14 @@ void Surface::normalise(const TriangleMesh& mesh)
     }
   const Vec3 extent = box.high - box.low;
   const double size = std::max({extent.x, extent.y, extent.z});
-  if (!triangles_.empty() && !(size < 1e300))
-    throw InputError("The coordinates of the mesh are too large to compute with. Scale the mesh down first.");
-  if (triangles_.empty() || !(size > 0))
+  if (triangles_.empty() || size == 0)
     throw InputError("No face of the mesh has an area. Check the mesh, for example with \"Remove Zero Area Faces\".");
+  // Within these, no result overflows: curvatures go with the inverse of the size, areas with its square.
+  constexpr double smallest_size = 1e-100, largest_size = 1e100;
+  if (!(size <= largest_size))
+    throw InputError("The coordinates of the mesh are too large to compute with. Scale the mesh down first.");
+  if (size < smallest_size)
+    throw InputError("The coordinates of the mesh are too small to compute with. Scale the mesh up first.");
 
   // By the size first: the squares in a length cannot overflow then, nor underflow.
   const Vec3 centre = box.low + extent * 0.5;
@@ -178,6 +182,11 @@ void Surface::normalise(const TriangleMesh& mesh)
     ++edges;
   });
   const double average = length / double(edges);
+  // Under it, a coordinate has less than three digits within an edge.
+  constexpr double smallest_edge = 1e-12;
+  if (!(average >= smallest_edge))
+    throw InputError("The faces of the mesh are too small for how far apart they are: a coordinate cannot hold both. Remove "
+                     "the faces that lie far away, or measure the parts one by one.");
   for (Vec3& p : positions_) p *= 1 / average;
   unit_ = size * average;
   diagonal_ = norm({extent.x / size, extent.y / size, extent.z / size}) / average;

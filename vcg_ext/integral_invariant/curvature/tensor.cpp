@@ -38,8 +38,9 @@ TangentialCovariance tangential_covariance(const BallMoments& moments, double ra
 {
   const double away = norm(moments.first);
   // Under rounding, a ball that is all solid or all empty has no direction.
-  constexpr double no_direction = 1e-12;
-  if (!(moments.volume > 0) || !(away > no_direction * radius * moments.volume)) return {};
+  constexpr double no_direction = 1e-12, no_volume = 1e-12;
+  const bool has_solid = moments.volume > no_volume * radius * radius * radius;
+  if (!has_solid || !(away > no_direction * radius * moments.volume)) return {};
 
   const Symmetric3 covariance = moments.second - outer(moments.first) * (1 / moments.volume);
   const Vec3 normal = eigenvector_along(covariance, moments.first * (-1 / away));

@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "integral_invariant/features/crest_linking.h"
 #include "integral_invariant/features/surface_walk.h"
 #include "integral_invariant/features/topology.h"
+#include "integral_invariant/parameters.h"
+#include "integral_invariant/support/error.h"
 
 namespace integral_invariant {
 
@@ -145,16 +149,17 @@ CrestLine measured_line(const Surface& surface, const SurfaceWalk& walk, const P
 }
 
 void add_lines(const Surface& surface, const Topology& topology, const Profile& profile, const CrestLineParameters& p,
-               Execution& execution, std::vector<CrestLine>& lines)
+               Execution& execution, double from, double to, std::vector<CrestLine>& lines)
 {
   const std::vector<Triangle>& triangles = surface.triangles();
   std::vector<CrestSegment> segments(triangles.size());
   parallel_for(triangles.size(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t t = begin; t < end; ++t) segments[t] = segment_in(triangles[t], surface.positions(), profile);
-  });
+  }, from, to);
   const SurfaceWalk walk(surface, topology);
   const double minimum_length = p.minimum_length > 0 ? p.minimum_length : 5 * surface.unit();
   for (const CrestChain& chain : link_segments(topology, segments)) {
+    execution.report(to);
     CrestLine line = measured_line(surface, walk, profile, segments, chain);
     if (line.length >= minimum_length && line.strength >= p.minimum_strength && line.sharpness >= p.minimum_sharpness)
       lines.push_back(std::move(line));
@@ -166,12 +171,25 @@ void add_lines(const Surface& surface, const Topology& topology, const Profile& 
 std::vector<CrestLine> find_crest_lines(const Surface& surface, const CurvatureField& field,
                                         const CrestLineParameters& p, Execution& execution)
 {
-  const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution);
+  if (p.smoothing_passes > limits::max_smoothing_passes)
+    throw ParameterError("The parameter 'smoothing_passes' must be at most " +
+                         std::to_string(limits::max_smoothing_passes) + ".");
+  constexpr double smoothed_by = 0.3, adjacent_by = 0.4;  // fractions of the stage
+  const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution, smoothed_by);
   const Topology topology(surface);
+  execution.report(adjacent_by);
   std::vector<CrestLine> lines;
-  for (const FeatureKind kind : {FeatureKind::ridge, FeatureKind::valley})
-    if (kind == FeatureKind::ridge ? p.ridges : p.valleys)
-      add_lines(surface, topology, make_profile(surface, smooth, kind), p, execution, lines);
+  const std::pair<FeatureKind, bool> kinds[] = {{FeatureKind::ridge, p.ridges}, {FeatureKind::valley, p.valleys}};
+  double from = adjacent_by;
+  for (const auto& [kind, is_wanted] : kinds) {
+    const double to = from + (1 - adjacent_by) / 2;
+    if (is_wanted) {
+      const Profile profile = make_profile(surface, smooth, kind);
+      execution.report(from);
+      add_lines(surface, topology, profile, p, execution, from, to, lines);
+    }
+    from = to;
+  }
   std::stable_sort(lines.begin(), lines.end(), [](const CrestLine& a, const CrestLine& b) { return a.strength > b.strength; });
   return lines;
 }

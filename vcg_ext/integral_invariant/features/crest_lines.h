@@ -34,7 +34,7 @@ struct CrestLine {
 /// The derivative is that of linear finite elements, averaged at the vertices; its sign changes are found on the edges with
 /// the directions of each triangle signed alike, and joined through the triangles to lines.
 /// `field` is in normalised units and belongs to `surface`. Strongest first. Cost: O(m log m).
-/// \throw Cancelled
+/// \throw ParameterError where there are too many passes; Cancelled
 std::vector<CrestLine> find_crest_lines(const Surface& surface, const CurvatureField& field,
                                         const CrestLineParameters& parameters, Execution& execution);
 

@@ -26,7 +26,8 @@ CurvatureField curvature_field(const Result& result)
   return field;
 }
 
-CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes, Execution& execution)
+CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes, Execution& execution,
+                        double to)
 {
   const auto &start = surface.neighbour_start(), &neighbours = surface.neighbours();
   for (int pass = 0; pass < passes; ++pass) {
@@ -48,7 +49,7 @@ CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes
         next.dir_min[v] = k.dir_min;
         next.normal[v] = normalized(normal, field.normal[v]);
       }
-    });
+    }, to * pass / passes, to * (pass + 1) / passes);
     field = std::move(next);
   }
   return field;

@@ -6,9 +6,13 @@
 #include <cmath>
 #include <deque>
 #include <numeric>
+#include <string>
 
 #include "integral_invariant/features/line_tracer.h"
 #include "integral_invariant/features/point_grid.h"
+#include "integral_invariant/parameters.h"
+#include "integral_invariant/support/error.h"
+#include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
 
@@ -23,6 +27,28 @@ constexpr double seed_tolerance = 0.85;
 double spacing_of(const DirectionParameters& p, double unit)
 {
   return p.spacing > 0 ? p.spacing / unit : automatic_spacing;
+}
+
+void require_lengths(const DirectionParameters& p, double unit)
+{
+  constexpr double smallest = 1e-3, largest = 1e6;  // ē
+  const std::pair<const char*, double> lengths[] = {{"spacing", p.spacing}, {"segment_length", p.segment_length}};
+  for (const auto& [name, length] : lengths)
+    if (length != 0 && !(length / unit >= smallest && length / unit <= largest))
+      throw ParameterError("The parameter '" + std::string(name) + "' is out of its range: it must be from a thousandth of "
+                           "the average edge length to a million of them, or 0 for automatic.");
+  if (p.smoothing_passes > limits::max_smoothing_passes)
+    throw ParameterError("The parameter 'smoothing_passes' must be at most " +
+                         std::to_string(limits::max_smoothing_passes) + ".");
+}
+
+/// Lines may lie half a spacing apart, with a sample each quarter of it.
+void require_memory_for_lines(const Surface& surface, double spacing, std::size_t limit_mb)
+{
+  const std::vector<double> areas = vertex_areas(surface);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double samples = 8 * area / (spacing * spacing);
+  require_memory(samples * sizeof(LineSample), limit_mb, "Lines of curvature this close", "Raise spacing");
 }
 
 std::vector<double> anisotropies(const CurvatureField& field)
@@ -45,7 +71,7 @@ std::vector<std::uint32_t> clearest_first(const std::vector<Triangle>& triangles
   return order;
 }
 
-void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from,
+void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from, double share,
                   std::vector<CurvatureLine>& lines)
 {
   std::deque<WalkState> beside;
@@ -57,8 +83,11 @@ void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, E
     lines.push_back(std::move(line));
   };
   for (std::size_t i = 0; i < order.size(); ++i) {
-    for (; !beside.empty(); beside.pop_front()) try_seed(beside.front());
-    if (i % 4096 == 0) execution.report(from + 0.5 * double(i) / double(order.size()));
+    for (; !beside.empty(); beside.pop_front()) {
+      execution.report(from + share * double(i) / double(order.size()));
+      try_seed(beside.front());
+    }
+    if (i % 256 == 0) execution.report(from + share * double(i) / double(order.size()));
     try_seed({std::int32_t(order[i]), {1.0 / 3, 1.0 / 3, 1.0 / 3}, {}});
   }
 }
@@ -85,6 +114,7 @@ double typical_curvature(const CurvatureField& field)
 std::vector<DirectionSegment> direction_segments(const Surface& surface, const CurvatureField& field,
                                                  const DirectionParameters& p)
 {
+  require_lengths(p, surface.unit());
   const double spacing = spacing_of(p, surface.unit());
   const double length = p.segment_length > 0 ? p.segment_length : automatic_segment * spacing * surface.unit();
   const std::vector<double> clarity = anisotropies(field);
@@ -104,8 +134,12 @@ std::vector<DirectionSegment> direction_segments(const Surface& surface, const C
 std::vector<CurvatureLine> trace_curvature_lines(const Surface& surface, const CurvatureField& field,
                                                  const DirectionParameters& p, Execution& execution)
 {
-  const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution);
+  require_lengths(p, surface.unit());
+  require_memory_for_lines(surface, spacing_of(p, surface.unit()), p.memory_limit_mb);
+  constexpr double smoothed_by = 0.2, traced_from = 0.4;  // fractions of the stage
+  const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution, smoothed_by);
   const Topology topology(surface);
+  execution.report(traced_from);
   const std::vector<double> clarity = anisotropies(smooth);
   const std::vector<std::uint32_t> order = clearest_first(surface.triangles(), clarity);
   const double spacing = spacing_of(p, surface.unit());
@@ -116,7 +150,7 @@ std::vector<CurvatureLine> trace_curvature_lines(const Surface& surface, const C
     if (!(maximal ? p.maximal : p.minimal)) continue;
     LineTracer tracer(surface, topology, maximal ? smooth.dir_max : smooth.dir_min, clarity,
                       {family, spacing, minimum, p.umbilic});
-    trace_family(tracer, order, execution, maximal ? 0 : 0.5, lines);
+    trace_family(tracer, order, execution, maximal ? traced_from : (1 + traced_from) / 2, (1 - traced_from) / 2, lines);
   }
   return lines;
 }

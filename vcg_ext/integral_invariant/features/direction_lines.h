@@ -2,6 +2,7 @@
 // Features: the principal directions as short segments, and as traced lines of curvature.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "integral_invariant/features/curvature_field.h"
@@ -18,6 +19,7 @@ struct DirectionParameters {
   double minimum_length = 0;  ///< L; shorter traced lines are dropped; 0: twice the spacing
   double umbilic = 0.1;       ///< lines end, and segments are left out, where κ_max − κ_min is under this part of |κ|
   int smoothing_passes = 1;   ///< of the curvatures over the mesh, before the lines are traced
+  std::size_t memory_limit_mb = 0;  ///< 0: half of the machine's memory
 };
 
 /// A line of length 2 |half| centred at a vertex, in its tangent plane.
@@ -27,7 +29,7 @@ struct DirectionSegment {
   Vec3 half;                  ///< L: from the vertex to one end
 };
 
-/// Why a line ends.
+/// Why a line ends; `length`: no further progress.
 enum class LineEnd { umbilic, boundary, near_line, loop, length };
 
 struct CurvatureLine {
@@ -39,6 +41,7 @@ struct CurvatureLine {
 };
 
 /// Segments at vertices that are at least the spacing apart, first come first served. Cost: O(n).
+/// \throw ParameterError where a length is out of its range
 std::vector<DirectionSegment> direction_segments(const Surface& surface, const CurvatureField& field,
                                                  const DirectionParameters& parameters);
 
@@ -46,7 +49,7 @@ std::vector<DirectionSegment> direction_segments(const Surface& surface, const C
 /// half of that to another of its family, at an umbilic, at a boundary, or where it returns to its start. The next seeds
 /// lie beside the line just traced; places that no line reached are seeded where the directions are clearest.
 /// `field` is in normalised units and belongs to `surface`. One thread. Cost: O(m log m) and that of the lines.
-/// \throw Cancelled
+/// \throw ParameterError as above; MemoryError where lines so close would not fit; Cancelled
 std::vector<CurvatureLine> trace_curvature_lines(const Surface& surface, const CurvatureField& field,
                                                  const DirectionParameters& parameters, Execution& execution);
 

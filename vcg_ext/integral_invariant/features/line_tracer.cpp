@@ -12,14 +12,25 @@ namespace {
 constexpr double too_near = 0.5;      ///< of the spacing: a line ends this near to another one
 constexpr double same_place = 0.25;   ///< of the spacing: a line that passes its start this near is closed
 constexpr double sampling = 0.25;     ///< of the spacing: between the samples that other lines are held against
+constexpr double finest_sampling = 1.0 / 64;  ///< of the spacing: nearer samples tell nothing, and crowd where triangles do
 constexpr double smallest_loop = 3;   ///< ē
-constexpr std::size_t most_steps = 200000;
+constexpr double most_steps = 200000;
+
+/// A line that keeps its distance from itself crosses a triangle a few times, the more the closer lines may lie.
+std::size_t step_limit(std::size_t triangles, double spacing)
+{
+  return std::size_t(std::min(most_steps, 1000 + 4 * double(triangles) * (1 + 1 / spacing)));
+}
+/// Around a vertex, or among slivers, steps may lead in a circle: a line ends after so many within the least progress (ē).
+constexpr int most_idle_steps = 256;
+constexpr double least_progress = 1e-3;
 
 }  // namespace
 
 LineTracer::LineTracer(const Surface& surface, const Topology& topology, const std::vector<Vec3>& lines,
                        const std::vector<double>& clarity, const TracerOptions& options)
-    : surface_(surface), walk_(surface, topology), lines_(lines), clarity_(clarity), options_(options), grid_(options.spacing)
+    : surface_(surface), walk_(surface, topology), lines_(lines), clarity_(clarity), options_(options),
+      most_steps_(step_limit(surface.triangles().size(), options.spacing)), grid_(options.spacing)
 {
 }
 
@@ -33,7 +44,7 @@ bool LineTracer::has_room(const WalkState& seed, double part) const
 {
   if (is_umbilic(seed)) return false;
   return !grid_.any_near(walk_.position(seed), walk_.normal(seed), part * options_.spacing,
-                         [&](const LineSample& sample) { return !is_dropped_[std::size_t(sample.line)]; });
+                         [](const LineSample&) { return true; });
 }
 
 /// Whether the step passes the start of the line the same way, beside it at most by `same_place`.
@@ -48,10 +59,8 @@ bool LineTracer::closes(const Vec3& from, const Vec3& to, double arc) const
 bool LineTracer::comes_too_near(const Vec3& position, const WalkState& state, double arc) const
 {
   const double limit = too_near * options_.spacing;
-  const std::int32_t own = std::int32_t(is_dropped_.size()) - 1;
   return grid_.any_near(position, walk_.normal(state), limit, [&](const LineSample& sample) {
-    if (is_dropped_[std::size_t(sample.line)]) return false;
-    if (sample.line != own) return true;
+    if (sample.line != line_) return true;
     if (std::abs(sample.arc - arc) < 3 * limit) return false;
     // Right behind its own start a line is about to close, not to crowd.
     const Vec3 there = sample.position - position;
@@ -62,13 +71,22 @@ bool LineTracer::comes_too_near(const Vec3& position, const WalkState& state, do
   });
 }
 
+void LineTracer::add_sample(const LineSample& sample)
+{
+  grid_.add(sample);
+  own_samples_.push_back(sample.position);
+}
+
 void LineTracer::add_samples(const Vec3& from, const Vec3& to, const Vec3& normal, double arc, double sign)
 {
   const double length = norm(to - from);
+  unsampled_ += length;
+  if (unsampled_ < finest_sampling * options_.spacing) return;
+  unsampled_ = 0;
   const int pieces = std::max(1, int(std::ceil(length / (sampling * options_.spacing))));
   for (int i = 1; i <= pieces; ++i) {
     const double t = double(i) / pieces;
-    grid_.add({from + (to - from) * t, normal, std::int32_t(is_dropped_.size()) - 1, sign * (arc + t * length)});
+    add_sample({from + (to - from) * t, normal, line_, sign * (arc + t * length)});
   }
 }
 
@@ -78,7 +96,10 @@ LineTracer::Half LineTracer::half_line(const WalkState& seed, const Vec3& direct
   WalkState state = seed;
   state.direction = direction;
   Vec3 place = walk_.position(state);
-  for (std::size_t step = 0; step < most_steps; ++step) {
+  unsampled_ = 0;
+  Vec3 last_progress = place;
+  int idle_steps = 0;
+  for (std::size_t step = 0; step < most_steps_; ++step) {
     const Vec3 normal = walk_.normal(state);
     SurfacePoint leaving;
     const WalkState next = walk_.along(state, lines_, leaving);
@@ -87,6 +108,12 @@ LineTracer::Half LineTracer::half_line(const WalkState& seed, const Vec3& direct
     if (next.is_on_surface() && comes_too_near(to, next, sign * half.length)) return half.end = LineEnd::near_line, half;
     add_samples(place, to, normal, half.length, sign);
     half.length += norm(to - place);
+    if (norm(to - last_progress) > least_progress) {
+      last_progress = to;
+      idle_steps = 0;
+    } else if (++idle_steps == most_idle_steps) {
+      return half;
+    }
     half.points.push_back(leaving);
     half.states.push_back(state);
     if (!next.is_on_surface()) return half.end = LineEnd::boundary, half;
@@ -103,8 +130,9 @@ bool LineTracer::trace(const WalkState& seed, CurvatureLine& line)
   const TriangleFrame plane = walk_.frame(seed.triangle);
   start_ = walk_.position(seed);
   start_direction_ = normalized(plane.tangential(aligned_direction(start, lines_, lines_[start.vertices[0]])));
-  is_dropped_.push_back(0);
-  grid_.add({start_, plane.normal, std::int32_t(is_dropped_.size()) - 1, 0});
+  ++line_;
+  own_samples_.clear();
+  add_sample({start_, plane.normal, line_, 0});
 
   Half forward = half_line(seed, start_direction_, 1), backward;
   line.family = options_.family;
@@ -121,8 +149,9 @@ bool LineTracer::trace(const WalkState& seed, CurvatureLine& line)
   line.length = length * surface_.unit();
   last_states_.assign(backward.states.rbegin(), backward.states.rend());
   last_states_.insert(last_states_.end(), forward.states.begin(), forward.states.end());
-  is_dropped_.back() = length < options_.minimum_length && !line.closed;
-  return !is_dropped_.back();
+  const bool is_kept = length >= options_.minimum_length || line.closed;
+  if (!is_kept) std::for_each(own_samples_.rbegin(), own_samples_.rend(), [&](const Vec3& p) { grid_.take_back(p); });
+  return is_kept;
 }
 
 std::vector<WalkState> LineTracer::seeds_beside() const

@@ -43,6 +43,7 @@ class LineTracer {
   bool is_umbilic(const WalkState& state) const;
   bool closes(const Vec3& from, const Vec3& to, double arc) const;
   bool comes_too_near(const Vec3& position, const WalkState& state, double arc) const;
+  void add_sample(const LineSample& sample);
   void add_samples(const Vec3& from, const Vec3& to, const Vec3& normal, double arc, double sign);
 
   const Surface& surface_;
@@ -50,8 +51,11 @@ class LineTracer {
   const std::vector<Vec3>& lines_;
   const std::vector<double>& clarity_;
   TracerOptions options_;
+  const std::size_t most_steps_;        ///< of half a line
   PointGrid grid_;
-  std::vector<char> is_dropped_;        ///< of line i; samples of dropped lines stay in the grid but do not count
+  std::int32_t line_ = -1;              ///< the one in work
+  double unsampled_ = 0;                ///< way since the last sample
+  std::vector<Vec3> own_samples_;       ///< of it, taken back where it is dropped
   std::vector<WalkState> last_states_;  ///< along the line that trace() returned last
   Vec3 start_, start_direction_;
 };

@@ -25,6 +25,14 @@ class PointGrid {
 
   void add(const LineSample& sample) { cells_[key(sample.position)].push_back(sample); }
 
+  /// Takes out the sample at `position` that was added last of all in its cell.
+  void take_back(const Vec3& position)
+  {
+    const auto cell = cells_.find(key(position));
+    cell->second.pop_back();
+    if (cell->second.empty()) cells_.erase(cell);
+  }
+
   /// Calls visit(sample) for the samples nearer than `distance` on the same side of the surface, until it returns true;
   /// whether it did.
   template <class Visit>

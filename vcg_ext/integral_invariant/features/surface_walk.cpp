@@ -14,6 +14,8 @@ namespace {
 constexpr double vertex_weight = 1 - 1e-5;
 /// How far (as weight) from a vertex the walk goes on behind it.
 constexpr double behind_vertex = 1e-3;
+/// Triangles that a straight way of some edges leads through; among triangles without width it could go round for ever.
+constexpr int most_crossings = 10000;
 
 void normalise(std::array<double, 3>& weights)
 {
@@ -113,7 +115,8 @@ WalkState SurfaceWalk::from_vertex(std::int32_t vertex, const Vec3& direction) c
 
 WalkState SurfaceWalk::straight(WalkState state, double distance) const
 {
-  while (state.is_on_surface()) {
+  for (int crossed = 0; state.is_on_surface(); ++crossed) {
+    if (crossed == most_crossings) return {};
     const TriangleFrame plane = frame(state.triangle);
     const Exit exit = exit_of(state, plane);
     if (exit.corner < 0 || exit.distance >= distance) {
@@ -121,7 +124,7 @@ WalkState SurfaceWalk::straight(WalkState state, double distance) const
       return state;
     }
     state.weights = advanced(state, plane, exit.distance);
-    distance -= std::max(exit.distance, 1e-9);  // so that thin triangles cannot hold it for ever
+    distance -= exit.distance;
     const auto largest = std::max_element(state.weights.begin(), state.weights.end());
     if (*largest > vertex_weight)
       state = from_vertex(surface_.triangles()[state.triangle][largest - state.weights.begin()], state.direction);

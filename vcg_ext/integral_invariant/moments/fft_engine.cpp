@@ -225,16 +225,18 @@ class FftEngine : public MomentEngine {
 
   void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
   {
-    const std::vector<TileLayout> layouts = make_layouts(radii);
+    const std::vector<TileLayout> layouts = make_layouts(radii, [&] { execution.report(0); });
     double total = 0, done = 0;
     for (const TileLayout& layout : layouts) {
       total += layout.shape.cost;
       require_memory(least_bytes(layout), memory_limit_mb_, "The voxel grid (" + std::to_string(layout.tiles.size()) + " tiles)",
-                     "Lower fft_cells_per_radius or raise r_min.");
+                     "Lower fft_cells_per_radius, raise r_min");
     }
     for (std::size_t scale = 0; scale < layouts.size(); ++scale) {
       const double next = done + layouts[scale].shape.cost;
-      ScalePass(surface_, layouts[scale], int(scale), sink).run(execution, memory_, done / total, next / total);
+      ScalePass pass(surface_, layouts[scale], int(scale), sink);
+      execution.report(done / total);
+      pass.run(execution, memory_, done / total, next / total);
       done = next;
     }
   }
@@ -243,18 +245,22 @@ class FftEngine : public MomentEngine {
   {
     std::ostringstream text;
     text << "voxel FFT, " << cells_per_radius_ << " cells per radius; transforms per scale:";
-    for (const TileLayout& layout : make_layouts(radii))
+    for (const TileLayout& layout : make_layouts(radii, [] {}))
       text << ' ' << layout.tiles.size() << " x " << moment_count + 1 << " of " << layout.shape.size[0] << 'x'
            << layout.shape.size[1] << 'x' << layout.shape.size[2] << ';';
     return text.str();
   }
 
  private:
-  std::vector<TileLayout> make_layouts(const std::vector<double>& radii) const
+  /// Calls `after_each` between the layouts, each of which passes over the whole mesh several times.
+  template <class AfterEach>
+  std::vector<TileLayout> make_layouts(const std::vector<double>& radii, const AfterEach& after_each) const
   {
     std::vector<TileLayout> layouts;
-    for (const double radius : radii)
+    for (const double radius : radii) {
       layouts.push_back(make_tile_layout(surface_, radius, cells_per_radius_, memory_ / 2));
+      after_each();
+    }
     return layouts;
   }
 

@@ -134,8 +134,8 @@ Extent extent_in_cells(const Bounds& bounds, const VoxelGrid& grid)
   const double length[3] = {cells.x, cells.y, cells.z};
   for (std::size_t a = 0; a < 3; ++a) {
     if (!(length[a] < largest_grid))
-      throw MemoryError("The voxel grid would have " + std::to_string(length[a]) + " cells along one axis. " +
-                        coarser_advice);
+      throw MemoryError("The voxel grid would have " + std::to_string(std::llround(length[a] / 1e6)) +
+                        " million cells along one axis. " + coarser_advice);
     extent[a] = std::int64_t(length[a]) + 1;
   }
   return extent;
@@ -157,8 +157,8 @@ TileShape cheapest_shape(const Surface& surface, const VoxelGrid& grid, const Ex
   if (best.cost == 0)
     throw MemoryError("The smallest piece of the voxel grid that can be transformed (of " + std::to_string(extent[0]) +
                       " x " + std::to_string(extent[1]) + " x " + std::to_string(extent[2]) + " cells in all) needs " +
-                      readable_bytes(double(least)) + ", more than the limit of " + readable_bytes(double(limit)) +
-                      ". " + coarser_advice);
+                      readable_bytes(double(least)) + ", more than half of the memory limit, " +
+                      readable_bytes(double(limit)) + ". " + coarser_advice);
   return best;
 }
 
@@ -252,6 +252,11 @@ CellBox TileLayout::box(std::size_t tile) const
 
 TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit)
 {
+  // Cells grow with the inverse square of the radius, and under it a ball sees a single triangle.
+  constexpr double smallest_radius = 0.1;
+  if (radius < smallest_radius)
+    throw ParameterError("The smallest radius is under a tenth of the average edge length, which the voxel engine's grid cannot "
+                         "resolve at a bearable cost. Raise r_min (or radius), or use the surface integral engine.");
   TileLayout layout;
   const Bounds bounds = bounds_of(surface);
   layout.grid = {bounds.low, radius / cells_per_radius};

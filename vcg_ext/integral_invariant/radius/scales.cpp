@@ -39,18 +39,48 @@ Range radius_range(const Parameters& p, double unit)
   throw ParameterError(text.str());
 }
 
+/// Smaller balls see rounding alone, larger ones overflow; in average edge lengths.
+constexpr double smallest_radius = 1e-3, largest_radius = 1e6;
+/// Of neighbouring radii; nearer ones cannot be told apart by what they see.
+constexpr double least_relative_gap = 1e-3;
+
+void require_radius(const char* name, double radius, double unit)
+{
+  if (radius >= smallest_radius && radius <= largest_radius) return;
+  std::ostringstream text;
+  text << "The radius '" << name << "' is " << radius * unit << ", but must be from " << smallest_radius * unit << " to "
+       << largest_radius * unit << " (" << smallest_radius << " to " << largest_radius
+       << " average edge lengths). Change it, or set it to 0 for its automatic value.";
+  throw ParameterError(text.str());
+}
+
+void require_gaps(const Range& range, int scales, double unit)
+{
+  if (range.high - range.low >= least_relative_gap * (scales - 1) * range.low) return;
+  std::ostringstream text;
+  text << scales << " scales do not fit between r_min = " << range.low * unit << " and r_max = " << range.high * unit
+       << ": radii must differ by a thousandth at least. Enlarge r_max or reduce scales.";
+  throw ParameterError(text.str());
+}
+
 }  // namespace
 
 std::vector<double> scale_radii(const Parameters& p, double unit)
 {
   const Range range = radius_range(p, unit);
+  require_radius("r_min", range.low, unit);
+  require_radius("r_max", range.high, unit);
   if (p.radius_choice == RadiusChoice::fixed) {
-    if (p.radius > 0) return {p.radius / unit};
+    if (p.radius > 0) {
+      require_radius("radius", p.radius / unit, unit);
+      return {p.radius / unit};
+    }
     if (range.high < range.low) reject_range(range, unit);
     return {(range.low + range.high) / 2};
   }
   if (p.scales == 1) return {range.low};
   if (!(range.low < range.high)) reject_range(range, unit);
+  require_gaps(range, p.scales, unit);
 
   std::vector<double> radii(p.scales);
   for (int i = 0; i < p.scales; ++i) {

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "integral_invariant/pipeline.h"
+#include "vcg/complex/algorithms/update/vertex_attribute_transaction.h"
 
 namespace vcg {
 namespace tri {
@@ -47,7 +47,7 @@ class UpdateCurvatureIntegralInvariant {
   /// \return everything computed, and how: scales, converged vertices, seconds per stage
   /// \throw vcg::MissingComponentException without PerVertexCurvatureDir
   /// \throw integral_invariant::InputError (and its kinds) with a sentence for the user; integral_invariant::Cancelled.
-  ///        The mesh is unchanged then.
+  /// \throw std::bad_alloc. The mesh is unchanged after any of them.
   static Result Compute(MeshType& m, const Params& params = Params(), vcg::CallBackPos* cb = nullptr)
   {
     tri::RequirePerVertexCurvatureDir(m);
@@ -77,11 +77,11 @@ class UpdateCurvatureIntegralInvariant {
     return copy;
   }
 
-  /// Writes the result of a run on CopyMesh(m) to m: see Compute().
+  /// Writes the result of a run on CopyMesh(m) to m: see Compute(). All of it, or nothing where memory runs out.
   static void Write(MeshType& m, const Result& result)
   {
     tri::RequirePerVertexCurvatureDir(m);
-    WriteAttributes(m, result);
+    WriteAttributes(m, result);  // first: nothing after it can fail
     ForEachVertexWithIndex(m, [&](VertexType& v, size_t i) {
       v.K1() = Representable<typename VertexType::CurScalarType>(result.kappa_max[i]);
       v.K2() = Representable<typename VertexType::CurScalarType>(result.kappa_min[i]);
@@ -95,10 +95,13 @@ class UpdateCurvatureIntegralInvariant {
   /// Per-vertex attributes: ii_kmax, ii_kmin, ii_radius, ii_error, ii_confidence (scalar), ii_dirmax, ii_dirmin (point).
   static void WriteAttributes(MeshType& m, const Result& result)
   {
-    ScalarHandle kmax = Attribute<ScalarType>(m, "ii_kmax"), kmin = Attribute<ScalarType>(m, "ii_kmin");
-    ScalarHandle radius = Attribute<ScalarType>(m, "ii_radius"), error = Attribute<ScalarType>(m, "ii_error");
-    ScalarHandle confidence = Attribute<ScalarType>(m, "ii_confidence");
-    VectorHandle dirmax = Attribute<CoordType>(m, "ii_dirmax"), dirmin = Attribute<CoordType>(m, "ii_dirmin");
+    VertexAttributeTransaction<MeshType> attributes(m, 7);
+    const auto scalar = [&](const char* name) { return attributes.template Attribute<ScalarType>(name); };
+    const auto vector = [&](const char* name) { return attributes.template Attribute<CoordType>(name); };
+    ScalarHandle kmax = scalar("ii_kmax"), kmin = scalar("ii_kmin"), radius = scalar("ii_radius");
+    ScalarHandle error = scalar("ii_error"), confidence = scalar("ii_confidence");
+    VectorHandle dirmax = vector("ii_dirmax"), dirmin = vector("ii_dirmin");
+    attributes.Commit();
     ForEachVertexWithIndex(m, [&](VertexType& v, size_t i) {
       kmax[v] = Representable(result.kappa_max[i]);
       kmin[v] = Representable(result.kappa_min[i]);
@@ -131,17 +134,6 @@ class UpdateCurvatureIntegralInvariant {
   static CoordType Vector(const integral_invariant::Vec3& v)
   {
     return CoordType(ScalarType(v.x), ScalarType(v.y), ScalarType(v.z));
-  }
-
-  /// The attribute of that name; one of another type that bears the name is replaced.
-  template <class ValueType>
-  static typename MeshType::template PerVertexAttributeHandle<ValueType> Attribute(MeshType& m, const std::string& name)
-  {
-    typedef Allocator<MeshType> Alloc;
-    auto handle = Alloc::template FindPerVertexAttribute<ValueType>(m, name);
-    if (Alloc::template IsValidHandle<ValueType>(m, handle)) return handle;
-    if (tri::HasPerVertexAttribute(m, name)) Alloc::DeletePerVertexAttribute(m, name);
-    return Alloc::template AddPerVertexAttribute<ValueType>(m, name);
   }
 };
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How soon a run on a large mesh asks whether to go on: the longest processor time between two calls of the callback, in
+// every stage, must leave the user waiting 0.2 s at most.
+#include <gtest/gtest.h>
+
+#include <ctime>
+
+#include "integral_invariant/features/crest_lines.h"
+#include "integral_invariant/features/direction_lines.h"
+#include "integral_invariant/features/signature.h"
+#include "integral_invariant/pipeline.h"
+#include "support/shapes.h"
+
+using namespace integral_invariant;
+using namespace test_support;
+
+namespace {
+
+constexpr double longest_wait = 0.2;  // s
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double slowdown = 10;
+#else
+constexpr double slowdown = 1;
+#endif
+
+const TriangleMesh& large_mesh()
+{
+  static const TriangleMesh mesh = with_normal_noise(torus(2, 0.6, 780, 210), 0.001);
+  return mesh;
+}
+
+/// Processor time of the calling thread, which the load of the machine does not change. With one thread all work is its.
+double processor_seconds()
+{
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// Holds every gap between two calls, and that to the end, under the limit.
+class Watch {
+ public:
+  bool call(const char* stage)
+  {
+    tick();
+    stage_ = stage;
+    return true;
+  }
+  void tick()
+  {
+    const double now = processor_seconds();
+    EXPECT_LT(now - last_, longest_wait * slowdown) << "after a call in the stage: " << stage_;
+    last_ = processor_seconds();
+  }
+  ProgressCallback callback()
+  {
+    return [this](int, const char* stage) { return call(stage); };
+  }
+
+ private:
+  double last_ = processor_seconds();
+  std::string stage_ = "(none)";
+};
+
+Parameters on_one_thread(Parameters p)
+{
+  p.threads = 1;
+  return p;
+}
+
+}  // namespace
+
+TEST(Stopping, StatisticalRadiusAsksOftenEnough)
+{
+  ASSERT_GT(large_mesh().positions.size(), 150000u);
+  Watch watch;
+  compute_curvature(large_mesh(), on_one_thread({}), watch.callback());
+  watch.tick();
+}
+
+TEST(Stopping, AdaptedRadiusAsksOftenEnough)
+{
+  Parameters p = on_one_thread(published_method());
+  p.estimator = Estimator::bias_free;
+  Watch watch;
+  compute_curvature(large_mesh(), p, watch.callback());
+  watch.tick();
+}
+
+TEST(Stopping, VolumeEngineAsksOftenEnough)
+{
+  Parameters p = on_one_thread({});
+  p.engine = EngineKind::volume_fft;
+  p.scales = 3;
+  p.r_min = 4 * average_edge_length(large_mesh());
+  Watch watch;
+  compute_curvature(large_mesh(), p, watch.callback());
+  watch.tick();
+}
+
+TEST(Stopping, FeaturesAskOftenEnough)
+{
+  const Result result = compute_curvature(large_mesh(), on_one_thread({}), {});
+  const Surface surface(large_mesh());
+  const CurvatureField field = curvature_field(result);
+  Watch watch;
+  Execution execution(1, watch.callback());
+  execution.begin_stage("crest lines", 50);
+  CrestLineParameters crest;
+  crest.minimum_sharpness = 0;
+  find_crest_lines(surface, field, crest, execution);
+  execution.begin_stage("directions", 100);
+  trace_curvature_lines(surface, field, {}, execution);
+  execution.finish();
+  watch.tick();
+}
