@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method of [Lai09] from mesh to curvatures: the paper's five steps, one call each; or all scales at once, weighted by
-// their evidence. Everything between the checked surface and the result is in normalised units (average edge length 1).
+// The method of [Lai09] from mesh to curvatures: the paper's five steps, one call each; or all scales at once, weighted
+// by their evidence. Everything between the checked surface and the result is in normalised units (average edge length
+// 1).
 #include "integral_invariant/pipeline.h"
 
 #include <sstream>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 2: removal of bias. In: offset-free tensors (normalised units). Out: the same, corrected. Cost: O(1) a tensor,
-// O(scales²) a vertex for the extrapolation. Source: docs/method.md §4; the integrals are written out in docs/accuracy.md.
+// O(scales²) a vertex for the extrapolation. Source: docs/method.md §4; the integrals are written out in
+// docs/accuracy.md.
 #include "integral_invariant/curvature/bias.h"
 
 #include <algorithm>
@@ -10,7 +11,8 @@ namespace integral_invariant {
 
 namespace {
 
-/// The expansions hold for small κr, κδ and δ/r; beyond, noise is taken for curvature, and corrections would amplify it.
+/// The expansions hold for small κr, κδ and δ/r; beyond, noise is taken for curvature, and corrections would amplify
+/// it.
 constexpr double largest_kr = 0.9;
 
 /// K = mean·P + deviator on the tangent plane; ±half_difference are the deviator's eigenvalues.

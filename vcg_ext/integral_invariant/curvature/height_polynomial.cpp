@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 2: polynomial heights. In: places over a tangent plane. Out: coefficients, curvature. Cost: O(c²) a place, O(c³) a fit
-// of c coefficients: 1 µs for degree 3, 3 µs for degree 4. Source: Cholesky's method; the shape operator of a graph.
+// Stage 2: polynomial heights. In: places over a tangent plane. Out: coefficients, curvature. Cost: O(c²) a place,
+// O(c³) a fit of c coefficients: 1 µs for degree 3, 3 µs for degree 4. Source: Cholesky's method; the shape operator of
+// a graph.
 #include "integral_invariant/curvature/height_polynomial.h"
 
 #include <cmath>

@@ -18,13 +18,14 @@ void monomials(double x, double y, int degree, Coefficients& result);
 class HeightSystem {
  public:
   void add(const Coefficients& monomials, double height, double weight, int degree);
-  /// Factors the system of the largest degree, up to the one given, that the places determine, and returns it; 0 where they
-  /// leave even a plane open. add() cannot follow.
+  /// Factors the system of the largest degree, up to the one given, that the places determine, and returns it; 0 where
+  /// they leave even a plane open. add() cannot follow.
   int factor(int degree);
   /// (AᵀWA)⁻¹ b, and (AᵀWA)⁻¹ AᵀW h for the heights. \pre factor() returned at least `degree`
   void solve(Coefficients& b, int degree) const;
   Coefficients solution(int degree) const;
-  /// bᵀ (AᵀWA)⁻¹ b: with weights of 1, the variance of bᵀ·coefficients under heights of independent noise of variance 1.
+  /// bᵀ (AᵀWA)⁻¹ b: with weights of 1, the variance of bᵀ·coefficients under heights of independent noise of variance
+  /// 1.
   double inverse_form(Coefficients b, int degree) const;
 
  private:

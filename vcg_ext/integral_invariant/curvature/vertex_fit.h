@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 2: curvature tensor of a vertex from the vertices around it, which lie on the surface where flat triangles do not.
+// Stage 2: curvature tensor of a vertex from the vertices around it, which lie on the surface where flat triangles do
+// not.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +13,12 @@
 
 namespace integral_invariant {
 
-/// What a polynomial through the vertices around a vertex says. The variances are those under independent noise along the
-/// normal of variance 1: of H, of either component of K − H I, of either tangential component of the normal.
+/// What a polynomial through the vertices around a vertex says. The variances are those under independent noise along
+/// the normal of variance 1: of H, of either component of K − H I, of either tangential component of the normal.
 struct VertexFit {
   CurvatureTensor tensor;  ///< confidence 1, or 0 where there were too few vertices
   double mean_variance = 0, deviator_variance = 0, normal_variance = 0;
-  double residual = -1;    ///< σ² of the noise as the distances from the polynomial show it, L²; −1 where none are left over
+  double residual = -1;    ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
 };
 
 /// Fits around one vertex after the other; holds scratch memory, so one a thread. Neighbours are found along the edges:
@@ -26,12 +27,13 @@ class VertexFitter {
  public:
   explicit VertexFitter(const Surface& surface);
 
-  /// A polynomial of degree 4 through the nearest 20 vertices, the nearer the heavier; of lower degree where they are few.
+  /// A polynomial of degree 4 through the nearest 20 vertices, the nearer the heavier; of lower degree where they are
+  /// few.
   /// \param normal roughly the surface's normal at v. Cost about 10 µs.
   VertexFit nearest(std::size_t v, const Vec3& normal);
 
-  /// Polynomials of degree 3 through all vertices within each of `radii` (increasing) in the tangent plane: over a whole
-  /// disc the same as offset_free_measure(), to first order. `residual` is not computed. Cost O(r²), about 50 µs at r = 16 ē.
+  /// Quadrics through all vertices within each of `radii` (increasing) in the tangent plane: over a whole disc the same
+  /// as offset_free_measure(), to first order. `residual` is not computed. Cost O(r²), about 50 µs at r = 16 ē.
   const std::vector<VertexFit>& discs(std::size_t v, const Vec3& normal, const std::vector<double>& radii);
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: noise estimate. In: offset-free measures of all scales, fits to the vertices. Out: offset, σ and noise density of every vertex.
+// Stage 3: noise estimate. In: offset-free measures of all scales, fits to the vertices. Out: offset, σ and noise
+// density of every vertex.
 // Cost: O(n), about 2 µs a vertex. Source: docs/method.md §4, docs/accuracy.md.
 #include "integral_invariant/radius/noise.h"
 
@@ -64,8 +65,8 @@ SquaredEdges squared_edges(const Surface& surface, std::size_t v, const Vec3& no
   return {mean, std::sqrt(std::max(0.0, squares / double(end - begin) - mean * mean))};
 }
 
-/// How much a vertex's small balls show noise and not a crease or a boundary. It falls gently with the curvature: a small
-/// part may have nothing better.
+/// How much a vertex's small balls show noise and not a crease or a boundary. It falls gently with the curvature: a
+/// small part may have nothing better.
 double smoothness(const CurvatureTensor& tensor, double radius)
 {
   constexpr double usual_kr = 0.6, largest_kr = 1.2, least_confidence = 0.95;

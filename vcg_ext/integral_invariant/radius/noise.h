@@ -19,10 +19,11 @@ struct Noise {
   double mean_sigma = 0;        ///< root mean square of sigma
 };
 
-/// σ² is the mean over the neighbourhood of what the polynomials through the nearest vertices leave over (VertexFit::residual),
-/// without those that stand far out of it, as on creases; it knows no flat triangles, and δ/r does not enter. The offset is
-/// extrapolated from two small balls to radius 0 (shape enters an offset with r⁴).
-/// `offsets` are those of offset_free_measure(), scale by scale for each vertex. A `known_sigma` above 0 is taken instead of σ.
+/// σ² is the mean over the neighbourhood of what the polynomials through the nearest vertices leave over
+/// (VertexFit::residual), without those that stand far out of it, as on creases; it knows no flat triangles, and δ/r
+/// does not enter. The offset is extrapolated from two small balls to radius 0 (shape enters an offset with r⁴).
+/// `offsets` are those of offset_free_measure(), scale by scale for each vertex. A `known_sigma` above 0 is taken
+/// instead of σ.
 /// \pre at least two scales. Cost O(n).
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
                      const std::vector<VertexFit>& fits, double known_sigma);

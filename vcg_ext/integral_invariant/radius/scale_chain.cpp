@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: scale chain. In: a signal at all scales, what is known about its noise. Out: its value at radius 0, with variance.
+// Stage 3: scale chain. In: a signal at all scales, what is known about its noise. Out: its value at radius 0, with
+// variance.
 // Cost: O(n · scales), two averages over the neighbourhood a scale. Source: docs/method.md §4, docs/accuracy.md.
 #include "integral_invariant/radius/scale_chain.h"
 
@@ -45,9 +46,9 @@ class Chain {
   }
 
  private:
-  /// In units of the noise's variance. What the average over the neighbourhood must pass to be shape, the same after a scale
-  /// showed nothing but noise; the most that one vertex can add to the average; what shows at the vertex itself, and there
-  /// where less was to be expected.
+  /// In units of the noise's variance. What the average over the neighbourhood must pass to be shape, the same after a
+  /// scale showed nothing but noise; the most that one vertex can add to the average; what shows at the vertex itself,
+  /// and there where less was to be expected.
   static constexpr double least_share = 0.1, drowned_share = 0.3, largest_energy = 25, evident_energy = 12,
                           evident_against_odds = 25;
 
@@ -58,7 +59,8 @@ class Chain {
     return {double(a[0]) - double(b[0]), double(a[1]) - double(b[1])};
   }
   double noise_of(std::size_t v, int i) const { return double(signal_.noise[v * scales_ + std::size_t(i)]); }
-  /// Of the difference between scale i and the next; a little of it at least, where one of them is a fit of its own kind.
+  /// Of the difference between scale i and the next; a little of it at least, where one of them is a fit of its own
+  /// kind.
   double noise_between(std::size_t v, int i) const
   {
     constexpr double least = 0.05;
@@ -179,6 +181,9 @@ class Chain {
 
 }  // namespace
 
-ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence) { return Chain(signal, evidence).run(); }
+ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence)
+{
+  return Chain(signal, evidence).run();
+}
 
 }  // namespace integral_invariant

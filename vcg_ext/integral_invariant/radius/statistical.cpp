@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: statistical choice of the scales. In: offset-free tensors of all scales, noise. Out: tensor, standard error and
-// radius of every vertex. Cost: O(n · scales). Source: docs/method.md §4, docs/accuracy.md.
+// Stage 3: statistical choice of the scales. In: offset-free tensors of all scales, noise. Out: tensor, standard error
+// and radius of every vertex. Cost: O(n · scales). Source: docs/method.md §4, docs/accuracy.md.
 #include "integral_invariant/radius/statistical.h"
 
 #include <algorithm>
@@ -98,7 +98,8 @@ struct FittedSignals {
   FittedSignal mean, deviator, normal;
 };
 
-FittedSignals make_fitted_signals(const std::vector<VertexFit>& fits, const std::vector<Frame>& frames, const Noise& noise)
+FittedSignals make_fitted_signals(const std::vector<VertexFit>& fits, const std::vector<Frame>& frames,
+                                  const Noise& noise)
 {
   constexpr double evident_residual = 6, least_variance = 1e-20;
   const std::size_t n = fits.size();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: whole balls. In: tensors and confidences of all scales. Out: origin of each tensor, largest scale of each vertex.
+// Stage 3: whole balls. In: tensors and confidences of all scales. Out: origin of each tensor, largest scale of
+// each vertex.
 // Cost: 0.1 µs a tensor; 50 µs a vertex whose largest balls are cut. Source: docs/accuracy.md.
 #include "integral_invariant/radius/whole_balls.h"
 
@@ -39,11 +40,13 @@ void fill_from_vertices(std::size_t v, VertexFitter& fitter, bool removes_bias, 
     const CurvatureTensor t = removes_bias ? without_graph_bias(fits[i].tensor, radii[i]) : fits[i].tensor;
     tensors.set(v, int(i), {t.k, t.normal, least_confidence});
     balls.origin[place] = Origin::vertices;
-    balls.variance[place] = {float(fits[i].mean_variance), float(fits[i].deviator_variance), float(fits[i].normal_variance)};
+    balls.variance[place] = {float(fits[i].mean_variance), float(fits[i].deviator_variance),
+                             float(fits[i].normal_variance)};
   }
 }
 
-void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& tensors, WholeBalls& balls, Execution& execution)
+void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& tensors, WholeBalls& balls,
+                       Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   std::vector<std::uint32_t> cut;
@@ -57,8 +60,8 @@ void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& t
   }, 0.15, 0.2);
 }
 
-/// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet, which
-/// larger balls meet as well. Balls that are small against the noise read anything, and are bounded.
+/// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet,
+/// which larger balls meet as well. Balls that are small against the noise read anything, and are bounded.
 void find_own_balls(std::size_t v, double sigma, TensorField& tensors, WholeBalls& balls)
 {
   constexpr double largest_kr = 2;
@@ -84,7 +87,8 @@ Doubt doubt_of(std::size_t place, double sigma, const WholeBalls& balls)
 {
   if (balls.origin[place] != Origin::vertices) return {};
   const std::array<float, 3>& variance = balls.variance[place];
-  return {3 * sigma * std::sqrt(double(variance[0]) + double(variance[1])), 3 * sigma * std::sqrt(2 * double(variance[2]))};
+  return {3 * sigma * std::sqrt(double(variance[0]) + double(variance[1])),
+          3 * sigma * std::sqrt(2 * double(variance[2]))};
 }
 
 int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const WholeBalls& balls)
@@ -113,7 +117,8 @@ int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const
 
 }  // namespace
 
-WholeBalls find_whole_balls(const Surface& surface, const Noise& noise, bool removes_bias, TensorField& tensors, Execution& execution)
+WholeBalls find_whole_balls(const Surface& surface, const Noise& noise, bool removes_bias, TensorField& tensors,
+                            Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   WholeBalls balls;

@@ -26,10 +26,11 @@ struct WholeBalls {
   std::vector<std::array<float, 3>> variance;
 };
 
-/// A ball that misses more than a twentieth of its disc (the surface ends there) gives way to a fit to the vertices of what is
-/// left of the disc (VertexFitter::discs). A vertex's largest scale is the one before balls stop being nearly a half: where
-/// |κ| r passes 1.3 or the normal turns away, because the ball meets a crease, another sheet, or the whole of a small part.
-/// Changes `tensors` where the origin is vertices. Cost O(n · scales), and 50 µs a vertex whose largest balls are cut.
+/// A ball that misses more than a twentieth of its disc (the surface ends there) gives way to a fit to the vertices of
+/// what is left of the disc (VertexFitter::discs). A vertex's largest scale is the one before balls stop being nearly a
+/// half: where |κ| r passes 1.3 or the normal turns away, because the ball meets a crease, another sheet, or the whole
+/// of a small part. Changes `tensors` where the origin is vertices. Cost O(n · scales), and 50 µs a vertex whose
+/// largest balls are cut.
 WholeBalls find_whole_balls(const Surface& surface, const Noise& noise, bool removes_bias, TensorField& tensors,
                             Execution& execution);
 
