@@ -137,7 +137,7 @@ VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
 
 const std::vector<VertexFit>& VertexFitter::discs(std::size_t v, const Vec3& normal, const std::vector<double>& radii)
 {
-  constexpr std::size_t least_count = 14;
+  constexpr std::size_t least_count = 10;
   const HeightFrame frame(normal);
   const double unit = radii.back();
   walk_disc(v, frame, unit);
@@ -160,15 +160,25 @@ const std::vector<VertexFit>& VertexFitter::discs(std::size_t v, const Vec3& nor
   return discs_;
 }
 
+Vec3 rough_normal(const TensorField& tensors, std::size_t v)
+{
+  constexpr int usual_scale = 3;
+  constexpr double largest_kr = 0.8;
+  int scale = std::min(usual_scale, int(tensors.radii().size()) - 1);
+  CurvatureTensor t = tensors.at_scale(v, scale);
+  while (scale > 0 && largest_absolute_curvature(t) * tensors.radii()[std::size_t(scale)] > largest_kr)
+    t = tensors.at_scale(v, --scale);
+  if (largest_absolute_curvature(t) * tensors.radii()[std::size_t(scale)] <= largest_kr) return t.normal;
+  return tensors.at_scale(v, std::min(usual_scale, int(tensors.radii().size()) - 1)).normal;
+}
+
 std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution)
 {
-  constexpr int usual_scale = 3;  // not the prey of noise, and small enough for a rough normal
-  const int scale = std::min(usual_scale, int(tensors.radii().size()) - 1);
   std::vector<VertexFit> fits(surface.vertex_count());
   parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int) {
     VertexFitter fitter(surface);
     for (std::size_t v = begin; v < end; ++v)
-      if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, tensors.at_scale(v, scale).normal);
+      if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, rough_normal(tensors, v));
   });
   return fits;
 }

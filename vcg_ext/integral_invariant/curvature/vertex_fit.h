@@ -52,7 +52,11 @@ class VertexFitter {
   std::vector<VertexFit> discs_;
 };
 
-/// VertexFitter::nearest() at all vertices, about the normals of balls of the fourth scale.
+/// Normal of the ball of the fourth scale (not the prey of noise), or of the largest under it in which the surface is nearly
+/// a plane.
+Vec3 rough_normal(const TensorField& tensors, std::size_t v);
+
+/// VertexFitter::nearest() at all vertices, about their rough normals.
 std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution);
 
 }  // namespace integral_invariant

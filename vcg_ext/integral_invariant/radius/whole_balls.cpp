@@ -16,6 +16,24 @@ namespace {
 
 constexpr double least_confidence = 0.95;
 
+/// Sums of the area vectors of each vertex's triangles: over a patch they depend on its rim alone, not on the noise inside.
+std::vector<Vec3> area_vectors(const Surface& surface)
+{
+  std::vector<Vec3> areas(surface.vertex_count());
+  const std::vector<Vec3>& p = surface.positions();
+  for (const Triangle& t : surface.triangles())
+    for (const int v : t) areas[v] += cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+  return areas;
+}
+
+Vec3 area_normal(std::size_t v, const Surface& surface, const std::vector<Vec3>& areas)
+{
+  Vec3 sum = areas[v];
+  for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
+    sum += areas[surface.neighbours()[e]];
+  return normalized(sum);
+}
+
 bool has_cut_ball(std::size_t v, const Surface& surface, const WholeBalls& balls, std::size_t scales)
 {
   if (!surface.is_referenced(v)) return false;
@@ -24,25 +42,35 @@ bool has_cut_ball(std::size_t v, const Surface& surface, const WholeBalls& balls
   return false;
 }
 
-void fill_from_vertices(std::size_t v, VertexFitter& fitter, bool removes_bias, TensorField& tensors, WholeBalls& balls)
+void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool removes_bias, TensorField& tensors, WholeBalls& balls)
 {
   constexpr std::size_t usual_scale = 3;
+  constexpr double least_fit_radius = 2.5;
   const std::vector<double>& radii = tensors.radii();
   const std::size_t usual = std::min(usual_scale, radii.size() - 1);
-  // A cut ball knows the normal of a curved surface roughly only.
-  Vec3 normal = tensors.at_scale(v, int(usual)).normal;
   const VertexFit rough = fitter.discs(v, normal, {radii[usual]}).front();
   if (rough.tensor.confidence > 0) normal = rough.tensor.normal;
   const std::vector<VertexFit>& fits = fitter.discs(v, normal, radii);
+  bool has_any = balls.origin[v * radii.size()] == Origin::own;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::size_t place = v * radii.size() + i;
-    if (balls.origin[place] == Origin::own || !(fits[i].tensor.confidence > 0)) continue;
+    // Half a disc of two rows of vertices leaves a quadric all but free.
+    if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius || !(fits[i].tensor.confidence > 0)) continue;
     const CurvatureTensor t = removes_bias ? without_graph_bias(fits[i].tensor, radii[i]) : fits[i].tensor;
     tensors.set(v, int(i), {t.k, t.normal, least_confidence});
     balls.origin[place] = Origin::vertices;
+    has_any = true;
     balls.variance[place] = {float(fits[i].mean_variance), float(fits[i].deviator_variance),
                              float(fits[i].normal_variance)};
   }
+  if (has_any) return;
+  // Where all discs are too small or turn away, there are the nearest vertices.
+  const VertexFit nearest = fitter.nearest(v, normal);
+  if (!(nearest.tensor.confidence > 0)) return;
+  tensors.set(v, 0, {nearest.tensor.k, nearest.tensor.normal, least_confidence});
+  balls.origin[v * radii.size()] = Origin::vertices;
+  balls.variance[v * radii.size()] = {float(nearest.mean_variance), float(nearest.deviator_variance),
+                                      float(nearest.normal_variance)};
 }
 
 void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& tensors, WholeBalls& balls,
@@ -54,9 +82,10 @@ void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& t
     if (has_cut_ball(v, surface, balls, scales)) cut.push_back(std::uint32_t(v));
   if (cut.empty()) return;
   balls.variance.resize(n * scales);
+  const std::vector<Vec3> areas = area_vectors(surface);
   parallel_for(cut.size(), 64, execution, [&](std::size_t begin, std::size_t end, int) {
     VertexFitter fitter(surface);
-    for (std::size_t i = begin; i < end; ++i) fill_from_vertices(cut[i], fitter, removes_bias, tensors, balls);
+    for (std::size_t i = begin; i < end; ++i) fill_from_vertices(cut[i], area_normal(cut[i], surface, areas), fitter, removes_bias, tensors, balls);
   }, 0.15, 0.2);
 }
 
