@@ -101,17 +101,16 @@ std::vector<std::vector<double>> curvatures(const Surface& surface, const std::v
   return values;
 }
 
-void accuracy()
+/// A row of errors per exactness, jitter and noise (in average edges) on a torus with n vertices around.
+void accuracy(int n, const std::vector<double>& radii, const std::vector<Exactness>& kinds, const std::vector<double>& jitters)
 {
-  const std::vector<double> radii = {1, 1.5, 2, 3, 4, 6, 8};
-  std::printf("RMS error of the curvature relative to its RMS, in percent (and largest error relative to the RMS)\n");
   std::printf("| exactness | jitter | noise |");
   for (const double r : radii) std::printf(" %11.1f |", r);
   std::printf("\n");
-  for (const Exactness exactness : {Exactness::fast, Exactness::balanced})
-    for (const double jitter : {0.0, 0.4})
+  for (const Exactness exactness : kinds)
+    for (const double jitter : jitters)
       for (const double noise : {0.0, 0.1, 0.5}) {
-        TriangleMesh mesh = torus(1, 0.4, 160, 88);
+        TriangleMesh mesh = torus(1, 0.4, n, int(0.55 * n));
         const double edge = average_edge_length(mesh);
         const Surface surface(with_normal_noise(with_tangential_jitter(mesh, jitter * edge), noise * edge));
         const auto truth = curvatures(surface, radii, Exactness::exact), got = curvatures(surface, radii, exactness);
@@ -130,6 +129,13 @@ void accuracy()
         std::printf("\n");
         std::fflush(stdout);
       }
+}
+
+void accuracy()
+{
+  std::printf("RMS error of the curvature relative to its RMS, in percent (and largest error relative to the RMS)\n");
+  accuracy(160, {1, 1.5, 2, 3, 4, 6, 8}, {Exactness::fast, Exactness::balanced}, {0.0, 0.4});
+  accuracy(300, {2, 3, 5, 8, 12, 16, 32, 64}, {Exactness::balanced}, {0.4});
 }
 
 }  // namespace

@@ -33,12 +33,13 @@ double worst(const MomentTable& a, const MomentTable& b)
 }
 
 /// RMS over the vertices of the difference of both curvatures, relative to their RMS.
-double curvature_error(const MomentTable& got, const MomentTable& truth, std::size_t k)
+double curvature_error(const MomentTable& got, const MomentTable& truth, std::size_t k,
+                       const std::vector<double>& at = radii)
 {
   double error = 0, square = 0;
   for (std::size_t v = 0; v < got.size(); ++v) {
-    const PrincipalCurvatures a = principal_curvatures(curvature_tensor(got[v][k], radii[k]));
-    const PrincipalCurvatures b = principal_curvatures(curvature_tensor(truth[v][k], radii[k]));
+    const PrincipalCurvatures a = principal_curvatures(curvature_tensor(got[v][k], at[k]));
+    const PrincipalCurvatures b = principal_curvatures(curvature_tensor(truth[v][k], at[k]));
     error += std::pow(a.kappa_max - b.kappa_max, 2) + std::pow(a.kappa_min - b.kappa_min, 2);
     square += std::pow(b.kappa_max, 2) + std::pow(b.kappa_min, 2);
   }
@@ -80,8 +81,11 @@ TEST(SurfaceEngineProperty, FollowsRotationsAndScale)
 {
   const TriangleMesh mesh = noisy_torus(0.2);
   const Vec3 axis = normalized({1, -2, 0.5});
-  const MomentTable one = surface_moments(Surface(mesh), radii);
-  MomentTable other = surface_moments(Surface(scaled(translated(rotated(mesh, axis, 1.1), {30, -20, 5}), 1e-4)), radii);
+  Parameters parameters;
+  parameters.exactness = Exactness::exact;
+  const MomentTable one = surface_moments(Surface(mesh), radii, parameters);
+  const Surface moved(scaled(translated(rotated(mesh, axis, 1.1), {30, -20, 5}), 1e-4));
+  const MomentTable other = surface_moments(moved, radii, parameters);
   for (std::size_t v = 0; v < one.size(); ++v)
     for (std::size_t k = 0; k < radii.size(); ++k) {
       EXPECT_NEAR(one[v][k].volume, other[v][k].volume, 1e-9 * std::pow(radii[k], 3));
@@ -133,6 +137,7 @@ TEST(SurfaceEngineProperty, DistantTrianglesAreSummedWithoutLoss)
   const Surface surface(noisy_torus(0.1));
   const std::vector<double> wide = {1, 5, 12, 30};
   Parameters parameters;
+  parameters.exactness = Exactness::exact;
   const MomentTable summed = surface_moments(surface, wide, parameters);
   parameters.same_sheet = true;  // connected: the same surface, but triangle by triangle
   const MomentTable single = surface_moments(surface, {1}, parameters);
@@ -141,4 +146,55 @@ TEST(SurfaceEngineProperty, DistantTrianglesAreSummedWithoutLoss)
     EXPECT_LT(moment_distance(summed[v][0], single[v][0], 1), 1e-12);
     EXPECT_LT(moment_distance(summed[v][3], polyhedron_moments(mesh, surface.positions()[v], 30), 30), 1e-6);
   }
+}
+
+TEST(SurfaceEngineProperty, LargeBallsAreWithinOnePercentOfExact)
+{
+  const std::vector<double> wide = {2, 4.5, 9, 16, 32};
+  for (const double noise : {0.1, 0.5}) {
+    const TriangleMesh mesh = torus(1, 0.4, 130, 72);
+    const double edge = average_edge_length(mesh);
+    const Surface surface(with_normal_noise(with_tangential_jitter(mesh, 0.35 * edge), noise * edge));
+    Parameters parameters;
+    const MomentTable balanced = surface_moments(surface, wide, parameters);
+    parameters.exactness = Exactness::exact;
+    const MomentTable exact = surface_moments(surface, wide, parameters);
+    // The largest ball holds most of the torus: there the far side's triangles, seen steeply, show.
+    for (std::size_t k = 0; k < wide.size(); ++k)
+      EXPECT_LT(curvature_error(balanced, exact, k, wide), wide[k] < 32 ? 0.01 : 0.015) << noise << " radius " << wide[k];
+  }
+}
+
+TEST(SurfaceEngineProperty, LargeBallsKnowHolesAndTheirConfidence)
+{
+  // Holes near and far from the centres, all within the largest balls.
+  TriangleMesh mesh = noisy_torus(0.1);
+  std::vector<Triangle> kept;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (i % 600 > 12) kept.push_back(mesh.triangles[i]);
+  mesh.triangles = kept;
+  const Surface surface(mesh);
+  Parameters parameters;
+  const MomentTable balanced = surface_moments(surface, radii, parameters);
+  parameters.exactness = Exactness::exact;
+  const MomentTable exact = surface_moments(surface, radii, parameters);
+  for (std::size_t k = 0; k < radii.size(); ++k) {
+    EXPECT_LT(curvature_error(balanced, exact, k), k == 0 ? 0.03 : 0.01) << radii[k];
+    for (std::size_t v = 0; v < exact.size(); ++v)
+      EXPECT_NEAR(balanced[v][k].confidence, exact[v][k].confidence, 1e-9) << v << " radius " << radii[k];
+  }
+}
+
+TEST(SurfaceEngineProperty, LargeBallsSeeBothSidesOfAThinPlate)
+{
+  const double thickness = 0.05;
+  const Surface surface(box(2, 2, thickness, thickness));
+  const std::vector<double> wide = {2, 6, 15, 40};
+  Parameters parameters;
+  const MomentTable balanced = surface_moments(surface, wide, parameters);
+  parameters.exactness = Exactness::exact;
+  const MomentTable exact = surface_moments(surface, wide, parameters);
+  for (std::size_t v = 0; v < exact.size(); v += 17)
+    for (std::size_t k = 0; k < wide.size(); ++k)
+      EXPECT_LT(moment_distance(balanced[v][k], exact[v][k], wide[k]), 2e-3) << v << " radius " << wide[k];
 }

@@ -151,14 +151,12 @@ void require_sensible_noise(double noise, double unit)
   throw ParameterError(text.str());
 }
 
-void describe_run(const Surface& surface, const MomentEngine& engine, const std::vector<double>& scales,
-                  const Execution& execution, Result& result)
+void describe_run(const Surface& surface, const std::vector<double>& scales, const Execution& execution, Result& result)
 {
   result.surface = surface.report();
   for (const double r : scales) result.scales.push_back(r * surface.unit());
   result.average_edge = surface.unit();
   result.diagonal = surface.diagonal() * surface.unit();
-  result.engine = engine.description(scales, execution);
   result.stages = execution.stage_times();
 }
 
@@ -187,13 +185,17 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   require_memory_for_arrays(surface.vertex_count(), scales.size(), parameters.memory_limit_mb);
 
   execution.begin_stage("ball moments", 80);
-  const auto engine = make_moment_engine(surface, parameters);
-  resize_result(surface.vertex_count(), result);
+  auto engine = make_moment_engine(surface, parameters);
+  result.engine = engine->description(scales, execution);
   if (parameters.estimator == Estimator::yang06) {
-    curvature_at_one_radius(surface, tensors_at_all_scales(surface, *engine, scales, execution), parameters, result,
-                            execution);
+    const TensorField tensors = tensors_at_all_scales(surface, *engine, scales, execution);
+    engine.reset();  // before the arrays of the result: both would be the peak of memory
+    resize_result(surface.vertex_count(), result);
+    curvature_at_one_radius(surface, tensors, parameters, result, execution);
   } else {
     OffsetFreeField field = offset_free_at_all_scales(surface, *engine, scales, execution);
+    engine.reset();
+    resize_result(surface.vertex_count(), result);
     if (parameters.radius_choice == RadiusChoice::statistical) {
       curvature_by_evidence(surface, std::move(field), parameters, result, execution);
     } else {
@@ -203,7 +205,7 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   }
   execution.finish();
 
-  describe_run(surface, *engine, scales, execution, result);
+  describe_run(surface, scales, execution, result);
   return result;
 }
 

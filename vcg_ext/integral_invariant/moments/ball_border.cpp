@@ -11,38 +11,11 @@
 
 namespace integral_invariant {
 
-namespace {
-
-/// In lengths of an edge: an edge nearer to the centre than this passes through it (a vertex on another triangle's edge,
-/// rounded to single precision and then some).
-constexpr double touching = 1e-3;
-
-bool passes_centre(const Vec3& a, const Vec3& b)
-{
-  const Vec3 e = b - a;
-  const double along = -dot(a, e), length2 = squared_norm(e);
-  if (!(along > 0 && along < length2)) return false;
-  return squared_norm(cross(a, e)) < touching * touching * length2 * length2;
-}
-
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
-/// +1 where the surface ends at the edge as seen from the origin, −1 where it begins; edges at which the orientation
-/// turns over always end it.
-double side(const LocalFreeEdge& edge, const Vec3& a, const Vec3& b, const Vec3& opposite)
-{
-  if (edge.surplus > 1) return 1;
-  const Vec3 e = b - a, inward = (opposite - a) - e * (dot(opposite - a, e) / std::max(squared_norm(e), 1e-300));
-  return dot(inward, a) <= 0 ? 1 : -1;
-}
-
-}  // namespace
-
 void BallEvaluator::add_free_edges(const Neighbourhood& near)
 {
   for (const LocalFreeEdge& edge : near.free_edges) {
     const Vec3 a = point(edge.from), b = point(edge.to);
-    if (squared_norm(a) == 0 || squared_norm(b) == 0 || (is_border_ && passes_centre(a, b)))
+    if (squared_norm(a) == 0 || squared_norm(b) == 0 || (is_border_ && passes_origin(a, b)))
       add_ray(edge);
     else
       add_free_edge(edge);
@@ -54,14 +27,12 @@ void BallEvaluator::add_free_edge(const LocalFreeEdge& edge)
 {
   const Vec3 a = point(edge.from), b = point(edge.to);
   const std::uint32_t from = scale_of_[edge.from], to = scale_of_[edge.to];
-  const double sign = side(edge, a, b, point(edge.opposite));
+  const double sign = free_edge_side(edge.surplus, a, b, point(edge.opposite));
   const auto add = [&](const Vec3& start, const Vec3& end, ArcSums& arcs, MissingSurface& missing) {
     arcs.add(normalized(start), normalized(end), edge.surplus, pole_);
-    const double angle = sign * angle_between(start, end);
-    missing.angle += angle;
-    missing.moment += angle * 0.25 * squared_norm(start + end);
+    missing.add(start, end, sign);
   };
-  for (std::uint32_t k = std::min(from, to); k < std::max(from, to); ++k) {
+  for (std::uint32_t k = std::min(from, to); k < std::min(std::max(from, to), cut_scales_); ++k) {
     const Vec3 cut = from < to ? a + (b - a) * edge_crossing(a, b, radii_[k]) : b + (a - b) * edge_crossing(b, a, radii_[k]);
     add(from < to ? a : cut, from < to ? cut : b, cut_arcs_[k], cut_missing_[k]);
   }

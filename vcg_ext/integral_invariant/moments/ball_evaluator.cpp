@@ -8,14 +8,9 @@
 
 namespace integral_invariant {
 
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-}  // namespace
-
-BallEvaluator::BallEvaluator(const std::vector<double>& radii, bool same_sheet)
-    : radii_(radii), scales_(std::uint32_t(radii.size())), same_sheet_(same_sheet), whole_count_(radii.size() + 1, 0),
+BallEvaluator::BallEvaluator(const std::vector<double>& radii, bool same_sheet, LastRadius last_radius)
+    : radii_(radii), scales_(std::uint32_t(radii.size())),
+      cut_scales_(last_radius == LastRadius::rim ? scales_ - 1 : scales_), same_sheet_(same_sheet), whole_count_(radii.size() + 1, 0),
       corners_(radii.size() + 2), corner_count_(radii.size(), 0)
 {
   for (const double r : radii) squared_radii_.push_back(r * r);
@@ -54,7 +49,8 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   find_triangle_scales(near, vicinity);
   sort_triangles();
   add_whole_triangles(near);
-  for (std::uint32_t k = 0; k < scales_; ++k) add_listed_corners(near, k);
+  for (std::uint32_t k = 0; k < cut_scales_; ++k) add_listed_corners(near, k);
+  if (cut_scales_ < scales_) add_rim(near);
   for (const std::uint32_t i : near.large) add_large(near.corners[i], near.longest_edges[i]);
   add_free_edges(near);
   finish();
@@ -70,6 +66,7 @@ void BallEvaluator::clear()
   shell_missing_.assign(scales_, {});
   cut_missing_.assign(scales_, {});
   rays_.clear();
+  gap_angle_ = 0;
 }
 
 void BallEvaluator::find_triangle_scales(const Neighbourhood& near, const Vicinity& vicinity)
@@ -144,6 +141,24 @@ void BallEvaluator::add_listed_corners(const Neighbourhood& near, std::uint32_t 
   }
 }
 
+void BallEvaluator::add_rim(const Neighbourhood& near)
+{
+  // Triangles with a vertex beyond the rim are left out. Where two of their vertices are inside, the edge between these
+  // bounds what is left, or cancels against the same edge of the triangle next to it.
+  const std::uint32_t rim = cut_scales_;
+  rim_list_.clear();
+  for (std::uint32_t i = 0; i < corner_count_[rim]; ++i) {
+    const LocalCorner corner = corners_[rim][i];
+    if (!corner.is_outside()) continue;
+    const std::uint32_t* ring = near.corners[corner.triangle()].ring.data() + corner.vertex();
+    rim_list_.push_back(corner.triangle());
+    rim_arcs_.push(near.point(ring[2]), near.point(ring[1]));
+    if (rim_arcs_.is_full()) rim_arcs_.add_to(cut_arcs_[rim], centre_, pole_);
+  }
+  rim_arcs_.add_to(cut_arcs_[rim], centre_, pole_);
+  cuts_[rim].moments = whole_triangles(near.triangles.data(), rim_list_.data(), rim_list_.size(), centre_) * -1.0;
+}
+
 void BallEvaluator::add_curved_corner(const LocalCorners& corners, LocalCorner corner, std::uint32_t k)
 {
   const std::uint32_t* ring = corners.ring.data() + corner.vertex();
@@ -184,12 +199,14 @@ void BallEvaluator::finish()
     arcs += shell_arcs_[k];
     ArcSums all = arcs;
     all += cut_arcs_[k];
-    missing.angle += shell_missing_[k].angle;
-    missing.moment += shell_missing_[k].moment;
+    missing += shell_missing_[k];
     moments_[k] = ball_moments(inside + cuts_[k].moments, all.terms(), all.half_area() + cuts_[k].half_area, radii_[k]);
-    const double area = squared_radii_[k] * (missing.angle + cut_missing_[k].angle) - missing.moment - cut_missing_[k].moment;
-    moments_[k].confidence = std::clamp(1 - area / (2 * pi * squared_radii_[k]), 0.0, 1.0);
+    MissingSurface all_missing = missing;
+    all_missing += cut_missing_[k];
+    moments_[k].confidence = confidence(all_missing, squared_radii_[k]);
   }
+  rim_cones_ = inside + cuts_.back().moments;
+  gap_angle_ = cut_missing_.back().angle;
 }
 
 }  // namespace integral_invariant

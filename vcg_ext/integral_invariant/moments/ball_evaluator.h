@@ -6,17 +6,13 @@
 
 #include "integral_invariant/moments/ball_boundary.h"
 #include "integral_invariant/moments/ball_kernels.h"
+#include "integral_invariant/moments/missing_surface.h"
 #include "integral_invariant/moments/neighbourhood.h"
+#include "integral_invariant/moments/rim_arcs.h"
 #include "integral_invariant/moments/vertex_fan.h"
 #include "integral_invariant/moments/vicinity.h"
 
 namespace integral_invariant {
-
-/// Angles under which free edges are seen from the centre, signed: positive where the surface ends there, negative where
-/// it begins again; and the same times the squared distance. The area missing from a flat disc is ½ (r² angle − moment).
-struct MissingSurface {
-  double angle = 0, moment = 0;
-};
 
 /// A corner that a sphere cuts off a triangle: the triangle, which of its vertices is alone, and whether that one is
 /// outside.
@@ -50,18 +46,31 @@ struct TouchedTriangle {
   TriangleScales scales;
 };
 
+/// What the last radius stands for: a ball like the others, or the rim, up to which the surface's whole triangles belong to
+/// the near part; what leads on from there is FarField's.
+enum class LastRadius { ball, rim };
+
 /// Scratch memory and method for one worker.
 class BallEvaluator {
  public:
-  BallEvaluator(const std::vector<double>& radii, bool same_sheet);
+  BallEvaluator(const std::vector<double>& radii, bool same_sheet, LastRadius last_radius = LastRadius::ball);
 
   /// Moments of the balls about local point `centre` at every scale; `normal` is about the surface's there (unit).
   /// `vicinity` has been narrowed to points that `centre` is one of.
   const std::vector<BallMoments>& evaluate(const Neighbourhood& near, Vicinity& vicinity, std::uint32_t centre,
                                            const Vec3& normal, bool is_border);
 
+  /// Of the last evaluation; local points beyond all radii have the number of radii.
+  const std::vector<std::uint8_t>& first_scales() const { return scale_of_; }
+  /// With a rim: moments of the cones from the centre to the triangles whose vertices are all within it. The last moments
+  /// of evaluate() are those of the ball if the surface went on from there by rays away from the centre.
+  const MomentSums& rim_cones() const { return rim_cones_; }
+  /// Angle of the gaps in the fan at the centre, for the largest radius.
+  double gap_angle() const { return gap_angle_; }
+
  private:
   void clear();
+  void add_rim(const Neighbourhood& near);
   void keep_own_sheet(const Neighbourhood& near, std::uint32_t centre);
   void tabulate_scales();
   void find_triangle_scales(const Neighbourhood& near, const Vicinity& vicinity);
@@ -82,6 +91,7 @@ class BallEvaluator {
   const std::vector<double> radii_;
   std::vector<double> squared_radii_;
   const std::uint32_t scales_;
+  const std::uint32_t cut_scales_;  ///< those whose spheres cut triangles: all but the rim
   const bool same_sheet_;
   std::vector<std::vector<std::uint32_t>> queue_;        ///< same_sheet: points found, per scale
   std::vector<std::uint8_t> own_scale_, rim_scale_;      ///< same_sheet: first scale that reaches a point, or its ring
@@ -99,6 +109,10 @@ class BallEvaluator {
   CornerBatch batch_;
   std::vector<CornerSums> cuts_;            ///< per scale: what belongs to that scale alone
   std::vector<ArcSums> shell_arcs_, cut_arcs_;
+  RimArcs rim_arcs_;
+  std::vector<std::uint32_t> rim_list_;
+  MomentSums rim_cones_;
+  double gap_angle_ = 0;
   bool is_border_ = false;
   Vec3 normal_;
   std::vector<std::pair<FanRay, std::uint32_t>> rays_;  ///< and the first scale at which the ray's edge is inside

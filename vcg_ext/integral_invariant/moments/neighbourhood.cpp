@@ -90,8 +90,8 @@ void Neighbourhood::connect_points()
 }
 
 NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii,
-                                             double small_edge, bool sum_far)
-    : tree_(tree), radii_(radii), small_edge_(small_edge), sum_far_(sum_far), table_(4096, 0)
+                                             double reach, double small_edge, bool sum_far)
+    : tree_(tree), radii_(radii), reach_(reach), small_edge_(small_edge), sum_far_(sum_far), table_(4096, 0)
 {
 }
 
@@ -102,9 +102,12 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   block_ = bounding_sphere(points.data(), points.size());
   forget_points();
   local_.centre = block_.centre;
+  local_.radius = block_.radius;
+  local_.reach = radii_.back();
   local_.corners.clear();
   local_.triangles.clear();
   local_.longest_edges.clear();
+  local_.lanes.clear();
   local_.all_small_scale = 0;
   local_.longest_edge = 0;
   local_.leaves.clear();
@@ -146,13 +149,13 @@ void NeighbourhoodGatherer::gather_triangles()
         const Sphere& sphere = tree_.triangles().levels()[0][leaf];
         const std::uint32_t begin = std::uint32_t(local_.corners.size());
         for (std::size_t i = tree_.triangles().item_begin(leaf); i < tree_.triangles().item_end(leaf); ++i)
-          add_triangle(triangles[i]);
+          add_triangle(triangles[i], std::uint8_t(i - tree_.triangles().item_begin(leaf)));
         local_.leaves.push_back({begin, std::uint32_t(local_.corners.size()), std::uint32_t(leaf)});
         local_.leaf_spheres.push(sphere.centre - block_.centre, sphere.radius);
       });
 }
 
-void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
+void NeighbourhoodGatherer::add_triangle(const Triangle& triangle, std::uint8_t lane)
 {
   const std::vector<Vec3>& points = tree_.order().points;
   std::array<Vec3, 3> v;
@@ -179,6 +182,7 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle)
                               {spread.xx, spread.yy, spread.zz, 0},
                               {spread.xy, spread.yz, spread.xz, 0}});
   local_.longest_edges.push_back(longest_edge);
+  local_.lanes.push_back(lane);
 }
 
 std::uint32_t NeighbourhoodGatherer::first_small_scale(double edge) const
@@ -192,7 +196,7 @@ void NeighbourhoodGatherer::gather_free_edges()
 {
   const std::vector<FreeEdge>& edges = tree_.order().free_edges;
   const auto is_near = [&](const Sphere& sphere) {
-    return norm(sphere.centre - block_.centre) <= radii_.back() + block_.radius + sphere.radius;
+    return norm(sphere.centre - block_.centre) <= reach_ + block_.radius + sphere.radius;
   };
   tree_.free_edges().visit([&](std::size_t, std::size_t, const Sphere& sphere) { return is_near(sphere); },
                            [&](std::size_t leaf) {

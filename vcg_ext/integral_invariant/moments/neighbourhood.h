@@ -59,11 +59,14 @@ struct LocalFreeEdge {
 /// triangles that lie between the same two radii for all of the block's points are summed in `far`.
 struct Neighbourhood {
   Vec3 centre;
+  double radius = 0;                        ///< of the block's points about it
+  double reach = 0;                         ///< largest radius, of balls about the block's points, that counts here
   std::vector<std::uint32_t> point_ids;     ///< local → SpatialOrder::points
   std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
   std::vector<LocalCorners> corners;        ///< per triangle
   std::vector<LocalTriangle> triangles;     ///< in the same order
   std::vector<double> longest_edges;        ///< of them
+  std::vector<std::uint8_t> lanes;          ///< their places in their leaves
   std::uint32_t all_small_scale = 0;        ///< largest of the triangles' first scales
   double longest_edge = 0;
   std::vector<LocalLeaf> leaves;
@@ -84,7 +87,9 @@ struct Neighbourhood {
 class NeighbourhoodGatherer {
  public:
   /// A triangle is small from the scale on at which its longest edge is at most `small_edge` radii; 0: never.
-  NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii, double small_edge, bool sum_far);
+  /// Free edges are gathered up to `reach`, triangles up to the largest radius.
+  NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii, double reach, double small_edge,
+                        bool sum_far);
 
   /// For the points [begin, end) of the spatial order, which are the first local ones. The reference holds until the
   /// next call.
@@ -95,7 +100,7 @@ class NeighbourhoodGatherer {
   std::uint32_t local(std::uint32_t point);
   /// Scale from which on all balls about the block hold the sphere, or −1 where some ball can cut it.
   int common_scale(const Sphere& sphere) const;
-  void add_triangle(const Triangle& triangle);
+  void add_triangle(const Triangle& triangle, std::uint8_t lane);
   /// First scale against which an edge is small.
   std::uint32_t first_small_scale(double edge) const;
   void gather_triangles();
@@ -105,7 +110,7 @@ class NeighbourhoodGatherer {
 
   const SurfaceTree& tree_;
   const std::vector<double>& radii_;
-  const double small_edge_;
+  const double reach_, small_edge_;
   const bool sum_far_;
   Sphere block_;
   Neighbourhood local_;

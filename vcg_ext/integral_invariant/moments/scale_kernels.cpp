@@ -43,6 +43,7 @@ void find_scale_ranges(const SphereColumns& spheres, const Vec3& centre, double 
   for (std::size_t group = 0; group < count; group += lanes) {
     double low[lanes], high[lanes];
     std::int64_t below[lanes] = {}, within[lanes] = {};
+#pragma GCC unroll 1
     for (std::size_t j = 0; j < lanes; ++j) {
       const double dx = x[group + j] - cx, dy = y[group + j] - cy, dz = z[group + j] - cz;
       const double distance = std::sqrt(dx * dx + dy * dy + dz * dz), reach = radius[group + j] + extent;
@@ -50,10 +51,12 @@ void find_scale_ranges(const SphereColumns& spheres, const Vec3& centre, double 
       high[j] = distance + reach;
     }
     for (std::size_t k = 0; k < scales; ++k)
+#pragma GCC unroll 1
       for (std::size_t j = 0; j < lanes; ++j) {
         below[j] += limits[k] < low[j] ? 1 : 0;
         within[j] += limits[k] < high[j] ? 1 : 0;
       }
+#pragma GCC unroll 1
     for (std::size_t j = 0; j < lanes; ++j) {
       least[group + j] = std::uint8_t(below[j]);
       largest[group + j] = std::uint8_t(within[j]);

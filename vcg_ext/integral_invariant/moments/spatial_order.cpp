@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include "integral_invariant/moments/compact_order.h"
+
 namespace integral_invariant {
 
 namespace {
@@ -111,31 +113,61 @@ std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense
   return point_of;
 }
 
+PlacedItem placed(const Vec3& p, std::size_t index)
+{
+  return {{float(p.x), float(p.y), float(p.z)}, std::uint32_t(index)};
+}
+
+/// Gives the points the order in which runs are compact, and `point_of` their new numbers.
+void order_points(SpatialOrder& order, std::vector<std::uint32_t>& point_of)
+{
+  std::vector<PlacedItem> items;
+  items.reserve(order.points.size());
+  for (std::size_t i = 0; i < order.points.size(); ++i) items.push_back(placed(order.points[i], i));
+  order_compactly(items, SpatialOrder::run);
+  std::vector<std::uint32_t> start, vertices, number(order.points.size());
+  std::vector<Vec3> points;
+  start.reserve(order.vertex_start.size());
+  vertices.reserve(order.vertices.size());
+  points.reserve(order.points.size());
+  for (const PlacedItem& item : items) {
+    number[item.index] = std::uint32_t(points.size());
+    points.push_back(order.points[item.index]);
+    start.push_back(std::uint32_t(vertices.size()));
+    for (std::uint32_t v = order.vertex_start[item.index]; v < order.vertex_start[item.index + 1]; ++v)
+      vertices.push_back(order.vertices[v]);
+  }
+  start.push_back(std::uint32_t(vertices.size()));
+  for (const std::uint32_t v : vertices) point_of[v] = number[point_of[v]];
+  order.points.swap(points);
+  order.vertices.swap(vertices);
+  order.vertex_start.swap(start);
+}
+
 Triangle smallest_first(Triangle t)
 {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 
-/// Counting sort by the first point.
 void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& point_of, SpatialOrder& order)
 {
-  const auto moved = [&](const Triangle& t) {
-    return smallest_first({std::int32_t(point_of[std::size_t(t[0])]), std::int32_t(point_of[std::size_t(t[1])]),
-                           std::int32_t(point_of[std::size_t(t[2])])});
-  };
-  const auto is_kept = [](const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; };
-  std::vector<std::uint32_t> start(order.points.size() + 1, 0);
+  std::vector<Triangle> kept;
+  std::vector<PlacedItem> items;
+  kept.reserve(surface.triangles().size());
+  items.reserve(surface.triangles().size());
   for (const Triangle& triangle : surface.triangles()) {
-    const Triangle t = moved(triangle);
-    if (is_kept(t)) ++start[std::size_t(t[0]) + 1];
+    const Triangle t = smallest_first({std::int32_t(point_of[std::size_t(triangle[0])]),
+                                       std::int32_t(point_of[std::size_t(triangle[1])]),
+                                       std::int32_t(point_of[std::size_t(triangle[2])])});
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    const Vec3 sum = order.points[std::size_t(t[0])] + order.points[std::size_t(t[1])] + order.points[std::size_t(t[2])];
+    items.push_back(placed(sum, kept.size()));
+    kept.push_back(t);
   }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  order.triangles.resize(start.back());
-  for (const Triangle& triangle : surface.triangles()) {
-    const Triangle t = moved(triangle);
-    if (is_kept(t)) order.triangles[start[std::size_t(t[0])]++] = t;
-  }
+  order_compactly(items, SpatialOrder::run);
+  order.triangles.reserve(kept.size());
+  for (const PlacedItem& item : items) order.triangles.push_back(kept[item.index]);
 }
 
 void find_normals(SpatialOrder& order)
@@ -200,7 +232,9 @@ void find_free_edges(SpatialOrder& order)
 SpatialOrder order_in_space(const Surface& surface, bool merge_dense)
 {
   SpatialOrder order;
-  order_triangles(surface, merge_places(surface, merge_dense, order), order);
+  std::vector<std::uint32_t> point_of = merge_places(surface, merge_dense, order);
+  order_points(order, point_of);
+  order_triangles(surface, point_of, order);
   find_normals(order);
   find_free_edges(order);
   return order;

@@ -20,6 +20,7 @@ struct FreeEdge {
 /// The referenced vertices along a Hilbert curve, those at the same place merged to one point; triangles sorted by their
 /// first point along the curve. Merging closes meshes whose triangles share places but not vertices.
 struct SpatialOrder {
+  static constexpr std::size_t run = 8;      ///< of points and triangles that lie together
   std::vector<Vec3> points;
   std::vector<Vec3> normals;                 ///< per point: unit, from area vectors; arbitrary where they cancel
   std::vector<std::uint32_t> vertex_start;   ///< the vertices at point i are vertices[vertex_start[i]] and on

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "integral_invariant/moments/ball_evaluator.h"
+#include "integral_invariant/moments/far_field.h"
 #include "integral_invariant/moments/neighbourhood.h"
 #include "integral_invariant/moments/vicinity.h"
 #include "integral_invariant/support/memory.h"
@@ -33,13 +34,12 @@ class SurfaceEngine : public MomentEngine {
 
   void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
   {
+    const bool has_far = parameters_.exactness != Exactness::exact && !parameters_.same_sheet;
+    const ScaleSplit split = has_far ? ScaleSplit::of(radii) : ScaleSplit::none(radii);
     std::vector<std::unique_ptr<Worker>> workers(std::size_t(execution.threads()));
     parallel_for(blocks_.size() - 1, 4, execution, [&](std::size_t begin, std::size_t end, int worker) {
       std::unique_ptr<Worker>& w = workers[std::size_t(worker)];
-      if (!w)
-        w.reset(new Worker{{tree_, radii, small_edge(parameters_.exactness), !parameters_.same_sheet},
-                           {tree_, radii, !parameters_.same_sheet},
-                           BallEvaluator(radii, parameters_.same_sheet)});
+      if (!w) w.reset(new Worker(tree_, radii, split, parameters_));
       for (std::size_t block = begin; block < end; ++block)
         evaluate_block(blocks_[block], blocks_[block + 1], *w, sink);
     });
@@ -52,17 +52,38 @@ class SurfaceEngine : public MomentEngine {
   }
 
  private:
-  struct Worker {
+  /// The scratch memory of closed forms.
+  struct ClosedForms {
+    ClosedForms(const SurfaceTree& tree, const std::vector<double>& radii, double reach, const Parameters& parameters,
+                LastRadius last_radius)
+        : gatherer(tree, radii, reach, small_edge(parameters.exactness), !parameters.same_sheet),
+          vicinity(tree, radii, !parameters.same_sheet), evaluator(radii, parameters.same_sheet, last_radius)
+    {
+    }
     NeighbourhoodGatherer gatherer;
     Vicinity vicinity;
     BallEvaluator evaluator;
   };
 
+  /// Of one thread. Blocks whose triangles are too large for points beyond a rim take the closed forms throughout.
+  struct Worker {
+    Worker(const SurfaceTree& tree, const std::vector<double>& radii, const ScaleSplit& split, const Parameters& parameters)
+        : all(tree, radii, radii.back(), parameters, LastRadius::ball)
+    {
+      if (split.far.empty()) return;
+      near = std::make_unique<ClosedForms>(tree, split.near, radii.back(), parameters, LastRadius::rim);
+      far = std::make_unique<FarField>(tree, split);
+    }
+    ClosedForms all;
+    std::unique_ptr<ClosedForms> near;
+    std::unique_ptr<FarField> far;
+  };
+
   /// Runs of points along the curve that stay together: what one ball of the block touches, the others touch too.
   void split_into_blocks()
   {
-    constexpr std::size_t largest_block = 64;
-    constexpr double largest_extent = 8;  // edges
+    constexpr std::size_t largest_block = 128;
+    constexpr double largest_extent = 15;  // edges
     const std::vector<Vec3>& points = tree_.order().points;
     Vec3 low, high;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -82,18 +103,49 @@ class SurfaceEngine : public MomentEngine {
 
   void evaluate_block(std::size_t begin, std::size_t end, Worker& worker, const MomentSink& sink) const
   {
+    if (worker.near) {
+      const Neighbourhood& near = worker.near->gatherer.gather(begin, end);
+      if (near.longest_edge <= longest_near_edge) {
+        worker.far->enter(near);
+        evaluate_points(begin, end, near, *worker.near, worker.far.get(), sink);
+        return;
+      }
+    }
+    evaluate_points(begin, end, worker.all.gatherer.gather(begin, end), worker.all, nullptr, sink);
+  }
+
+  void evaluate_points(std::size_t begin, std::size_t end, const Neighbourhood& near, ClosedForms& forms, FarField* far,
+                       const MomentSink& sink) const
+  {
     constexpr std::size_t close = 8;  // points: about two edges across
     const SpatialOrder& order = tree_.order();
-    const Neighbourhood& near = worker.gatherer.gather(begin, end);
-    worker.vicinity.enter(near);
+    forms.vicinity.enter(near);
     for (std::size_t point = begin; point < end; ++point) {
-      if ((point - begin) % close == 0)
-        worker.vicinity.narrow(std::uint32_t(point - begin), std::uint32_t(std::min(point + close, end) - begin));
-      const auto& moments = worker.evaluator.evaluate(near, worker.vicinity, std::uint32_t(point - begin),
-                                                      order.normals[point], tree_.is_border(std::uint32_t(point)));
-      for (std::uint32_t i = order.vertex_start[point]; i < order.vertex_start[point + 1]; ++i)
-        for (std::size_t k = 0; k < moments.size(); ++k) sink(order.vertices[i], int(k), moments[k]);
+      const std::uint32_t local = std::uint32_t(point - begin);
+      const bool is_border = tree_.is_border(std::uint32_t(point));
+      if (local % close == 0) {
+        const std::uint32_t last = std::uint32_t(std::min(point + close, end) - begin);
+        forms.vicinity.narrow(local, last);
+        if (far) far->narrow(local, last);
+      }
+      const auto& moments = forms.evaluator.evaluate(near, forms.vicinity, local, order.normals[point], is_border);
+      if (!far) {
+        hand_over(point, 0, moments.data(), moments.size(), sink);
+        continue;
+      }
+      hand_over(point, 0, moments.data(), moments.size() - 1, sink);
+      const auto& rest = far->evaluate(forms.evaluator, forms.vicinity, local, moments.back(), is_border);
+      hand_over(point, moments.size() - 1, rest.data(), rest.size(), sink);
     }
+  }
+
+  /// To all vertices at the point, from scale `first` on.
+  void hand_over(std::size_t point, std::size_t first, const BallMoments* moments, std::size_t count,
+                 const MomentSink& sink) const
+  {
+    const SpatialOrder& order = tree_.order();
+    for (std::uint32_t i = order.vertex_start[point]; i < order.vertex_start[point + 1]; ++i)
+      for (std::size_t k = 0; k < count; ++k) sink(order.vertices[i], int(first + k), moments[k]);
   }
 
   const Parameters parameters_;

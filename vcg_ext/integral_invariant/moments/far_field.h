@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface engine: moments of large balls from what is known up to their rim and points beyond it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "integral_invariant/moments/ball_evaluator.h"
+#include "integral_invariant/moments/far_points.h"
+#include "integral_invariant/moments/missing_surface.h"
+
+namespace integral_invariant {
+
+/// Which radii are treated in closed form, and which ones by points beyond the rim.
+struct ScaleSplit {
+  std::vector<double> near;  ///< with the rim as the last one, unless `far` is empty
+  std::vector<double> far;
+
+  /// Of increasing radii, in edges.
+  static ScaleSplit of(const std::vector<double>& radii);
+  /// All in closed form.
+  static ScaleSplit none(const std::vector<double>& radii) { return {radii, {}}; }
+};
+
+/// Beyond the rim the field f x/(d+3) (1 − (r/|x|)^{d+3}) has no flux through the sphere r, so that triangles need not be
+/// clipped there. For one worker.
+class FarField {
+ public:
+  FarField(const SurfaceTree& tree, const ScaleSplit& split);
+
+  /// To another block.
+  void enter(const Neighbourhood& near);
+  /// To its points [begin, end), which should lie close together.
+  void narrow(std::uint32_t begin, std::uint32_t end);
+  /// Moments at the far radii about `centre`, one of these points, for which `evaluator` has just been run over `vicinity`
+  /// with `rim_moments` as the last outcome.
+  const std::vector<BallMoments>& evaluate(const BallEvaluator& evaluator, const Vicinity& vicinity, std::uint32_t centre,
+                                           const BallMoments& rim_moments, bool is_border);
+
+ private:
+  void sort_leaves(const Vicinity& vicinity, const std::vector<std::uint8_t>& first_scales, const Vec3& centre);
+  bool weigh_leaf(const LocalLeaf& leaf, const std::vector<std::uint8_t>& first_scales);
+  void sort_clusters(const Vec3& centre);
+  void find_confidence(const Vec3& centre, double gap_angle, bool is_border);
+
+  const std::vector<double> radii_;        ///< rim, then the far ones
+  std::vector<double> squared_radii_;
+  const std::uint8_t outside_;             ///< first scale of points beyond the rim
+  const Neighbourhood* near_ = nullptr;
+  FarPoints far_;
+  std::vector<std::uint32_t> leaves_, clusters_;  ///< of the block, that the narrowed points' balls need
+  SphereColumns leaf_spheres_, cluster_spheres_;
+  std::vector<std::uint32_t> place_of_leaf_;      ///< in leaves_
+  std::vector<LaneWeights> weights_;              ///< ones, then those of the leaves that the rim cuts
+  std::vector<std::uint8_t> least_, largest_;
+  std::vector<std::vector<WeighedGroup>> points_in_;       ///< per shell
+  std::vector<std::vector<std::uint32_t>> clusters_in_;
+  std::vector<std::uint32_t> point_count_, cluster_count_;  ///< of them that are valid
+  std::vector<MissingSurface> missing_;
+  std::vector<BallMoments> moments_;
+};
+
+}  // namespace integral_invariant

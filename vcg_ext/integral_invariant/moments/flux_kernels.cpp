@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface engine: sums of fluxes over the points that stand for distant surface.
+#include "integral_invariant/moments/flux_kernels.h"
+
+#include <cmath>
+
+#include "integral_invariant/moments/vector_clones.h"
+
+namespace integral_invariant {
+
+namespace {
+
+constexpr std::size_t lanes = kernel_lanes, sums = 22;
+
+struct alignas(64) LaneSums {
+  double value[sums][lanes] = {};
+};
+
+/// Bounded at 0, where points that do not count may stand.
+inline double bounded(double squared_distance) { return squared_distance > 1e-6 ? squared_distance : 1e-6; }
+
+/// What a piece's extent makes of |x|^-3, x |x|^-4 and x xᵀ |x|^-5: 1 and half its variance times the Laplacian in its plane,
+/// q = variance/|x|², c = (h/|x|)² for the unit normal. Of h n, which the latter two have besides, the part along x is taken;
+/// q |x|^-3 on the diagonal of the last one is added apart.
+inline double factor3(double q, double c) { return 1 + q * (4.5 - 7.5 * c); }
+inline double factor4(double q, double c) { return 1 + q * (4 - 8 * c); }
+inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
+
+/// The shell and its centre.
+struct Shell {
+  double centre[3], inner, outer;
+};
+
+II_VECTOR_CLONES
+void add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                const Shell& shell, LaneSums& out)
+{
+  LaneSums sum = out;
+  const double ox = shell.centre[0], oy = shell.centre[1], oz = shell.centre[2], inner = shell.inner, outer = shell.outer;
+  for (std::size_t g = 0; g < count; ++g) {
+    const PointGroup& group = groups[list[g].group];
+    const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
+    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2], *variance = group.variance, *inverse_area2 = group.inverse_area2;
+    const double* weight = weights[list[g].weights].weight;
+    for (std::size_t j = 0; j < lanes; ++j) {
+      const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
+      const double r2 = x * x + y * y + z * z, h_all = (x * nx[j] + y * ny[j] + z * nz[j]) * weight[j];
+      const double h = (r2 > inner) & (r2 <= outer) ? h_all : 0.0;
+      const double i2 = 1 / bounded(r2), i1 = std::sqrt(i2), i4 = i2 * i2;
+      const double v = variance[j], q = v * i2;
+      const double c = h * h * (i2 * inverse_area2[j]), i5 = i4 * i1;
+      const double w3 = i2 * i1 * factor3(q, c), w4 = i4 * factor4(q, c), w5 = i5 * factor5(q, c);
+      const double hx = h * x, hy = h * y, hz = h * z, hv = h * v;
+      const double xx = hx * x, xy = hx * y, xz = hx * z, yy = hy * y, yz = hy * z, zz = hz * z;
+      sum.value[0][j] += h;
+      sum.value[1][j] += hx;
+      sum.value[2][j] += hy;
+      sum.value[3][j] += hz;
+      sum.value[4][j] += xx;
+      sum.value[5][j] += xy;
+      sum.value[6][j] += xz;
+      sum.value[7][j] += yy;
+      sum.value[8][j] += yz;
+      sum.value[9][j] += zz;
+      sum.value[10][j] += h * w3;
+      sum.value[11][j] += hx * w4;
+      sum.value[12][j] += hy * w4;
+      sum.value[13][j] += hz * w4;
+      sum.value[14][j] += xx * w5;
+      sum.value[15][j] += xy * w5;
+      sum.value[16][j] += xz * w5;
+      sum.value[17][j] += yy * w5;
+      sum.value[18][j] += yz * w5;
+      sum.value[19][j] += zz * w5;
+      sum.value[20][j] += hv;
+      sum.value[21][j] += hv * i5;
+    }
+  }
+  out = sum;
+}
+
+/// With b = ∫u (x·n): ∫ h f ≈ h f + b·∇f, and the same for f |x|^{−m}, whose gradient along b has the further term
+/// −m (b·x)/|x|² f |x|^{−m}.
+II_VECTOR_CLONES
+void add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Shell& shell, LaneSums& out)
+{
+  LaneSums sum = out;
+  const double ox = shell.centre[0], oy = shell.centre[1], oz = shell.centre[2], inner = shell.inner, outer = shell.outer;
+  for (std::size_t g = 0; g < count; ++g) {
+    const ClusterGroup& group = groups[list[g]];
+    const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
+    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
+    const double *sxx = group.spread[0][0], *sxy = group.spread[0][1], *sxz = group.spread[0][2];
+    const double *syx = group.spread[1][0], *syy = group.spread[1][1], *syz = group.spread[1][2];
+    const double *szx = group.spread[2][0], *szy = group.spread[2][1], *szz = group.spread[2][2];
+    const double *variance = group.variance, *inverse_area2 = group.inverse_area2;
+    for (std::size_t j = 0; j < lanes; ++j) {
+      const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
+      const double r2 = x * x + y * y + z * z;
+      const double in_shell = (r2 > inner) & (r2 <= outer) ? 1.0 : 0.0;
+      const double h = in_shell * ((x * nx[j] + y * ny[j] + z * nz[j]) + (sxx[j] + syy[j] + szz[j]));
+      const double bx = in_shell * (sxx[j] * x + syx[j] * y + szx[j] * z);
+      const double by = in_shell * (sxy[j] * x + syy[j] * y + szy[j] * z);
+      const double bz = in_shell * (sxz[j] * x + syz[j] * y + szz[j] * z);
+      const double i2 = 1 / bounded(r2), i1 = std::sqrt(i2), i4 = i2 * i2, i5 = i4 * i1;
+      const double v = variance[j], q = v * i2, c = h * h * (i2 * inverse_area2[j]), hv = h * v;
+      const double w3 = i2 * i1 * factor3(q, c), w4 = i4 * factor4(q, c), w5 = i5 * factor5(q, c);
+      const double beta = (bx * x + by * y + bz * z) * i2;
+      const double h3 = h - 3 * beta, h4 = h - 4 * beta, beta5 = 5 * beta;
+      const double hx = h * x, hy = h * y, hz = h * z;
+      const double xx = hx * x + 2 * (bx * x), xy = hx * y + (bx * y + by * x), xz = hx * z + (bx * z + bz * x);
+      const double yy = hy * y + 2 * (by * y), yz = hy * z + (by * z + bz * y), zz = hz * z + 2 * (bz * z);
+      const double ex = beta5 * x, ey = beta5 * y, ez = beta5 * z;
+      sum.value[0][j] += h;
+      sum.value[1][j] += hx + bx;
+      sum.value[2][j] += hy + by;
+      sum.value[3][j] += hz + bz;
+      sum.value[4][j] += xx;
+      sum.value[5][j] += xy;
+      sum.value[6][j] += xz;
+      sum.value[7][j] += yy;
+      sum.value[8][j] += yz;
+      sum.value[9][j] += zz;
+      sum.value[10][j] += h3 * w3;
+      sum.value[11][j] += (h4 * x + bx) * w4;
+      sum.value[12][j] += (h4 * y + by) * w4;
+      sum.value[13][j] += (h4 * z + bz) * w4;
+      sum.value[14][j] += (xx - ex * x) * w5;
+      sum.value[15][j] += (xy - ex * y) * w5;
+      sum.value[16][j] += (xz - ex * z) * w5;
+      sum.value[17][j] += (yy - ey * y) * w5;
+      sum.value[18][j] += (yz - ey * z) * w5;
+      sum.value[19][j] += (zz - ez * z) * w5;
+      sum.value[20][j] += hv;
+      sum.value[21][j] += hv * i5;
+    }
+  }
+  out = sum;
+}
+
+double sum_of(const double* lane)
+{
+  return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
+}
+
+ShellFlux total(const LaneSums& lane)
+{
+  double s[sums];
+  for (std::size_t i = 0; i < sums; ++i) s[i] = sum_of(lane.value[i]);
+  // The diagonal's part is given to all three axes: along the normal it is far under what stands there.
+  return {{s[0], {s[1], s[2], s[3]}, {s[4] + s[20], s[5], s[6], s[7] + s[20], s[8], s[9] + s[20]}},
+          {s[10], {s[11], s[12], s[13]}, {s[14] + s[21], s[15], s[16], s[17] + s[21], s[18], s[19] + s[21]}}};
+}
+
+}  // namespace
+
+ShellFlux flux_of_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                         const Vec3& centre, double inner, double outer)
+{
+  if (count == 0) return {};
+  LaneSums lane;
+  add_points(groups, weights, list, count, {{centre.x, centre.y, centre.z}, inner, outer}, lane);
+  return total(lane);
+}
+
+ShellFlux flux_of_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Vec3& centre,
+                           double inner, double outer)
+{
+  if (count == 0) return {};
+  LaneSums lane;
+  add_clusters(groups, list, count, {{centre.x, centre.y, centre.z}, inner, outer}, lane);
+  return total(lane);
+}
+
+}  // namespace integral_invariant

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface engine: sums of fluxes over the points that stand for distant surface (rules: ball_kernels.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "integral_invariant/moments/moment_sums.h"
+#include "integral_invariant/moments/scale_kernels.h"
+
+namespace integral_invariant {
+
+/// Triangles, one a lane, each by its centroid, its area vector ∫n and its variance, the mean of u² along either of its
+/// directions, u from the centroid.
+struct alignas(64) PointGroup {
+  double point[3][kernel_lanes], area[3][kernel_lanes], variance[kernel_lanes], inverse_area2[kernel_lanes];
+
+  void set(std::size_t lane, const std::array<Vec3, 3>& v)
+  {
+    const Vec3 p = (v[0] + v[1] + v[2]) * (1.0 / 3), n = cross(v[1] - v[0], v[2] - v[0]) * 0.5;
+    point[0][lane] = p.x, point[1][lane] = p.y, point[2][lane] = p.z;
+    area[0][lane] = n.x, area[1][lane] = n.y, area[2][lane] = n.z;
+    variance[lane] = (squared_norm(v[0] - p) + squared_norm(v[1] - p) + squared_norm(v[2] - p)) * (1.0 / 24);
+    inverse_area2[lane] = squared_norm(n) > 1e-300 ? 1 / squared_norm(n) : 0;
+  }
+};
+
+/// Larger pieces by a point, ∫n, spread[k] = ∫u n_k, u from the point, and the variance if they are about flat.
+struct alignas(64) ClusterGroup {
+  double point[3][kernel_lanes], area[3][kernel_lanes], variance[kernel_lanes], inverse_area2[kernel_lanes];
+  double spread[3][3][kernel_lanes];
+
+  void set(std::size_t lane, const Vec3& p, const Vec3& n, const Vec3 (&u)[3], double variance_of_u)
+  {
+    variance[lane] = variance_of_u;
+    inverse_area2[lane] = squared_norm(n) > 1e-300 ? 1 / squared_norm(n) : 0;
+    point[0][lane] = p.x, point[1][lane] = p.y, point[2][lane] = p.z;
+    area[0][lane] = n.x, area[1][lane] = n.y, area[2][lane] = n.z;
+    for (int k = 0; k < 3; ++k) spread[k][0][lane] = u[k].x, spread[k][1][lane] = u[k].y, spread[k][2][lane] = u[k].z;
+  }
+};
+
+struct alignas(64) LaneWeights {
+  double weight[kernel_lanes];
+};
+
+/// A group of points and its weights, by their places in arrays.
+struct WeighedGroup {
+  std::uint32_t group, weights;
+};
+
+/// Σ h f and Σ h f |x|^{−(d+3)} for f = 1, x, x xᵀ, of degree d.
+struct ShellFlux {
+  MomentSums plain, inverse;
+};
+
+/// Sums over the triangles of the listed groups of which the centroid's squared distance from `centre` is over `inner` and
+/// not over `outer`. A triangle counts by the integrand at its centroid and, as if it were round, half its variance times
+/// the integrand's Laplacian in its plane.
+ShellFlux flux_of_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                         const Vec3& centre, double inner, double outer);
+/// The same for clusters, with the integrand's gradient besides.
+ShellFlux flux_of_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Vec3& centre,
+                           double inner, double outer);
+
+}  // namespace integral_invariant
