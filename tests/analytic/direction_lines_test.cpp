@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integral_invariant/features/surface_walk.h"
 #include "integral_invariant/pipeline.h"
 #include "integral_invariant/support/error.h"
 #include "support/feature_shapes.h"
@@ -241,4 +242,17 @@ TEST(DirectionLines, LinesThatWouldNotFitIntoMemoryAreRefused)
   DirectionParameters p = family(DirectionFamily::maximal, 2e-3 * average_edge_length(mesh));
   p.memory_limit_mb = 100;
   EXPECT_THROW(lines_of(mesh, torus_curvature(mesh, major, tube), p), MemoryError);
+}
+
+TEST(SurfaceWalk, StaysWhereThereIsNoWayOn)
+{
+  // A triangle without area has no gradients, so no side is ever reached.
+  const TriangleMesh mesh{{{5, 5, 5}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}}, {{1, 2, 3}, {1, 2, 4}}};
+  const Surface surface(mesh);
+  const Topology topology(surface);
+  const std::vector<Vec3> lines(mesh.positions.size(), Vec3{1, 0, 0});
+  SurfacePoint inside;
+  const WalkState next = SurfaceWalk(surface, topology).along({1, {0.2, 0.3, 0.5}, {1, 0, 0}}, lines, inside);
+  EXPECT_FALSE(next.is_on_surface());
+  EXPECT_EQ(inside.vertices, (Triangle{1, 2, 4}));
 }

@@ -168,9 +168,9 @@ TEST_F(MeshLabServer, RefusesAGridBeyondTheMemoryWithTheSizeItNeeds)
   expect_refused(written(small_torus()), exporting({"engine=0", "fft_cells_per_radius=64", "scales=32", "memory_limit_mb=16"}), "MiB");
 }
 
-TEST_F(MeshLabServer, RefusesAGridWithMoreCellsThanCanBeCounted)
+TEST_F(MeshLabServer, RefusesARadiusFarUnderTheEdges)
 {
-  expect_refused(written(small_torus()), exporting({"engine=0", "radius_choice=1", "radius=1e-9"}), "cells along one axis");
+  expect_refused(written(small_torus()), exporting({"engine=0", "radius_choice=1", "radius=1e-9"}), "average edge lengths");
 }
 
 TEST_F(MeshLabServer, RefusesAScriptWithoutAMesh)

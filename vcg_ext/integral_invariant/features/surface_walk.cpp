@@ -138,6 +138,7 @@ WalkState SurfaceWalk::straight(WalkState state, double distance) const
 WalkState SurfaceWalk::along(const WalkState& start, const std::vector<Vec3>& lines, SurfacePoint& inside) const
 {
   const TriangleFrame plane = frame(start.triangle);
+  inside = point(start);  // where there is no way on
   WalkState state = start;
   state.direction = direction_at(start, plane, lines);
   const Exit guess = exit_of(state, plane);
