@@ -2,6 +2,7 @@
 // The statistical choice of the scales on meshes whose curvature is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "integral_invariant/pipeline.h"
@@ -74,6 +75,39 @@ TEST(Statistical, StandardErrorCoversAboutTwoThirds)
   }
   EXPECT_GT(within / (2 * double(r.kappa_max.size())), 0.45);
   EXPECT_LT(within / (2 * double(r.kappa_max.size())), 0.9);
+}
+
+TEST(Statistical, ABoundaryOfACleanSurfaceIsNoWorseThanItsVerticesAllow)
+{
+  // Half of a torus whose tube is 4.4 edges wide: at its rim half a disc of vertices is all there is.
+  TriangleMesh mesh = torus(1, 0.6, 48, 32);
+  const auto is_outside = [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](int v) { return mesh.positions[std::size_t(v)].x < -1e-9; });
+  };
+  mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), is_outside), mesh.triangles.end());
+  const Result r = compute_curvature(mesh, statistical());
+  for (std::size_t v = 0; v < r.kappa_max.size(); ++v) {
+    const Vec3& p = mesh.positions[v];
+    if (p.x < -1e-9) continue;
+    const double around = torus_curvature_around_axis(1, 0.6, std::atan2(p.z, std::hypot(p.x, p.y) - 1));
+    EXPECT_NEAR(r.kappa_max[v], 1 / 0.6, 0.2) << p.x;
+    EXPECT_NEAR(r.kappa_min[v], around, 0.35) << p.x;
+  }
+}
+
+TEST(Statistical, ACreaseIsNoSharperThanTheSmallestBallAndDoesNotRing)
+{
+  const TriangleMesh mesh = box(1, 1, 1, 0.05);
+  const double edge = average_edge_length(mesh);
+  const Result r = compute_curvature(mesh, statistical());
+  for (std::size_t v = 0; v < r.kappa_max.size(); ++v) {
+    const Vec3& p = mesh.positions[v];
+    double distances[] = {std::min(p.x, 1 - p.x), std::min(p.y, 1 - p.y), std::min(p.z, 1 - p.z)};
+    std::sort(std::begin(distances), std::end(distances));
+    if (distances[2] < 0.25) continue;  // near a corner
+    EXPECT_GT(r.kappa_min[v] * edge, -0.05) << "beside the crease";
+    EXPECT_LT(r.kappa_max[v] * edge, distances[1] < 0.12 ? 1.6 : 1e-6) << distances[1];
+  }
 }
 
 TEST(Statistical, ScalesWithTheMesh)

@@ -44,18 +44,21 @@ void VertexFitter::start_at(std::size_t v)
   places_.clear();
 }
 
-/// The vertex, its neighbours and their neighbours: on a surface with creases more is not better.
+/// The vertex, its neighbours and their neighbours: on a surface with creases more is not better. Further rings where
+/// these are few, as at a boundary: half a disc of three rows does not tell a cubic.
 void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
 {
-  constexpr int rings = 2;
+  constexpr int rings = 2, most_rings = 4;
+  constexpr std::size_t enough = 14;
   const Vec3& centre = surface_.positions()[v];
   start_at(v);
   std::size_t next = 0;
-  for (int ring = 0; ring <= rings; ++ring)
+  for (int ring = 0; ring <= most_rings; ++ring) {
+    const bool is_last = ring == most_rings || (ring >= rings && queue_.size() >= enough);
     for (const std::size_t end = queue_.size(); next < end; ++next) {
       const std::uint32_t u = queue_[next];
       places_.push_back(place_of(u, centre, frame));
-      if (ring == rings) continue;
+      if (is_last) continue;
       for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e) {
         const std::uint32_t w = surface_.neighbours()[e];
         if (seen_[w] == stamp_) continue;
@@ -63,6 +66,8 @@ void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
         queue_.push_back(w);
       }
     }
+    if (is_last) break;
+  }
 }
 
 void VertexFitter::walk_disc(std::size_t v, const HeightFrame& frame, double radius)
@@ -129,6 +134,7 @@ VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
   }
   VertexFit fit;
   fit.tensor = graph_curvature(c, frame, unit);
+  fit.reach = unit;
   set_variances([&](int k) { return variance[k]; }, unit, fit);
   constexpr double least_freedom = 0.1;
   if (freedom > least_freedom) fit.residual = squares / freedom;
@@ -154,6 +160,7 @@ const std::vector<VertexFit>& VertexFitter::discs(std::size_t v, const Vec3& nor
     }
     HeightSystem system = all;
     if (used < least_count || system.factor(disc_degree) < disc_degree) continue;
+    discs_[i].reach = radii[i];
     discs_[i].tensor = graph_curvature(system.solution(disc_degree), frame, unit);
     set_variances([&](int k) { return system.inverse_form(*parts[k], disc_degree); }, unit, discs_[i]);
   }

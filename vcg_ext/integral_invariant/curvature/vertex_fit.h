@@ -18,6 +18,7 @@ namespace integral_invariant {
 struct VertexFit {
   CurvatureTensor tensor;  ///< confidence 1, or 0 where there were too few vertices
   double mean_variance = 0, deviator_variance = 0, normal_variance = 0;
+  double reach = 0;        ///< distance of the farthest vertex that counted, L
   double residual = -1;    ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
 };
 

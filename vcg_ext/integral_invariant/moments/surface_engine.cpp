@@ -52,9 +52,14 @@ class SurfaceEngine : public MomentEngine {
   }
 
  private:
-  /// Up to which radius (edges) closed forms are worth their time. A statistical radius compares the scales and takes the
-  /// quadrature's error for noise, where there is little of it: measured by benchmarks/accuracy.
-  double widest_near() const { return parameters_.radius_choice == RadiusChoice::statistical ? 8.5 : 3.5; }
+  /// Up to which radius (edges) closed forms are worth their time. What compares scales takes the quadrature's error for
+  /// noise or bias, where there is little of these: measured by benchmarks/accuracy.
+  double widest_near() const
+  {
+    const bool compares_scales =
+        parameters_.radius_choice == RadiusChoice::statistical || parameters_.estimator == Estimator::bias_free;
+    return compares_scales ? 8.5 : 3.5;
+  }
 
   /// The scratch memory of closed forms.
   struct ClosedForms {

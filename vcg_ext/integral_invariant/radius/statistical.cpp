@@ -98,11 +98,26 @@ struct FittedSignals {
   FittedSignal mean, deviator, normal;
 };
 
-FittedSignals make_fitted_signals(const std::vector<VertexFit>& fits, const std::vector<Frame>& frames,
-                                  const Noise& noise)
+/// Fits that reach over a crease, and those beside them: a polynomial overshoots it, and swings to both sides of it.
+std::vector<char> near_creases(const Surface& surface, const std::vector<VertexFit>& fits)
+{
+  constexpr double largest_kr = 1.3;
+  std::vector<char> near(fits.size(), 0);
+  for (std::size_t v = 0; v < fits.size(); ++v) {
+    if (!(largest_absolute_curvature(fits[v].tensor) * fits[v].reach > largest_kr)) continue;
+    near[v] = 1;
+    for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
+      near[surface.neighbours()[e]] = 1;
+  }
+  return near;
+}
+
+FittedSignals make_fitted_signals(const Surface& surface, const std::vector<VertexFit>& fits,
+                                  const std::vector<Frame>& frames, const Noise& noise)
 {
   constexpr double evident_residual = 6, least_variance = 1e-20;
   const std::size_t n = fits.size();
+  const std::vector<char> is_near_crease = near_creases(surface, fits);
   FittedSignals s{{1, {}, {}}, {2, {}, {}}, {2, {}, {}}};
   for (FittedSignal* signal : {&s.mean, &s.deviator, &s.normal}) {
     signal->values.resize(n);
@@ -110,7 +125,7 @@ FittedSignals make_fitted_signals(const std::vector<VertexFit>& fits, const std:
   }
   for (std::size_t v = 0; v < n; ++v) {
     const VertexFit& fit = fits[v];
-    if (!(fit.tensor.confidence > 0)) continue;
+    if (!(fit.tensor.confidence > 0) || is_near_crease[v]) continue;
     const Components c = components_of(fit.tensor, frames[v]);
     double variance = noise.sigma[v] * noise.sigma[v];
     if (fit.residual > evident_residual * variance) variance = fit.residual;
@@ -184,7 +199,7 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   execution.report(0.95);
 
   if (removes_bias) {
-    const FittedSignals fitted = make_fitted_signals(fits, frames, noise);
+    const FittedSignals fitted = make_fitted_signals(surface, fits, frames, noise);
     add_vertex_step(fitted.mean, pools.front(), mean);
     add_vertex_step(fitted.deviator, pools.front(), deviator);
     add_vertex_step(fitted.normal, pools.front(), normal);
