@@ -56,7 +56,7 @@ void measure_speed(const std::string& name, const Surface& surface, const std::v
     Execution execution(threads);
     std::vector<double> volume(surface.vertex_count());
     const double wall = wall_seconds(), cpu = cpu_seconds();
-    const auto engine = make_surface_engine(surface, Parameters());
+    const auto engine = make_surface_engine(surface, published_method());
     best_prepare = std::min(best_prepare, wall_seconds() - wall);
     engine->evaluate(radii, [&](std::size_t v, int, const BallMoments& m) { volume[v] += m.volume; }, execution);
     best_wall = std::min(best_wall, wall_seconds() - wall);
@@ -90,7 +90,7 @@ struct Errors {
 std::vector<std::vector<double>> curvatures(const Surface& surface, const std::vector<double>& radii, Exactness exactness)
 {
   std::vector<std::vector<double>> values(radii.size(), std::vector<double>(2 * surface.vertex_count()));
-  Parameters parameters;
+  Parameters parameters = published_method();
   parameters.exactness = exactness;
   Execution execution;
   make_surface_engine(surface, parameters)->evaluate(radii, [&](std::size_t v, int k, const BallMoments& m) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// accuracy peers|ours [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
+// accuracy peers|ours|cost [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
 //
-// peers: each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line
-// a cell, judged at the same vertices of the same noisy meshes.
+// cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
+// each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
+// cell, judged at the same vertices of the same noisy meshes.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +16,7 @@
 #include "estimate.h"
 #include "integral_invariant/pipeline.h"
 #include "peers/peer.h"
+#include "resource_use.h"
 #include "support/shapes.h"
 
 namespace {
@@ -37,8 +40,8 @@ Options read_options(int argc, char** argv)
     if (!std::strcmp(argv[i], "--cells")) o.filter = argv[i + 1];
     if (!std::strcmp(argv[i], "--part")) std::sscanf(argv[i + 1], "%d/%d", &o.part, &o.parts);
   }
-  if ((o.mode != "peers" && o.mode != "ours") || argc % 2)
-    throw std::invalid_argument("usage: accuracy peers|ours [--models FOLDER] [--cells TEXT] [--part I/N]");
+  if ((o.mode != "peers" && o.mode != "ours" && o.mode != "cost") || argc % 2)
+    throw std::invalid_argument("usage: accuracy peers|ours|cost [--models FOLDER] [--cells TEXT] [--part I/N]");
   return o;
 }
 
@@ -56,8 +59,8 @@ void print_header()
 void print(const Cell& cell, const std::string& method, double radius, const Metrics& m, double noise, double seconds)
 {
   std::printf("%s,%s,%g,%s,%g,%zu,%.6g,%.6g,%.6g,%.6g,%.6g,%.5g,%.4f,%.4f,%.4f,%.5g,%.4g\n", cell.shape.c_str(),
-              cell.meshing.c_str(), cell.sigma, method.c_str(), radius, m.vertices, m.mean, m.rms, m.median, m.p95, m.p99,
-              m.direction, m.within_tenth, m.within_one, m.within_two, noise, seconds);
+              cell.meshing.c_str(), cell.sigma, method.c_str(), radius, m.vertices, m.mean, m.rms, m.median, m.p95,
+              m.p99, m.direction, m.within_tenth, m.within_one, m.within_two, noise, seconds);
   std::fflush(stdout);
 }
 
@@ -91,9 +94,40 @@ void run_ours(const Cell& cell, const TruthMesh& truth)
   const integral_invariant::Result r = integral_invariant::compute_curvature(mesh, {});
   const double seconds = seconds_since(start);
   std::vector<Estimate> estimates;
-  for (const std::uint32_t v : truth.judged) estimates.push_back({r.kappa_max[v], r.kappa_min[v], r.dir_max[v], r.standard_error[v]});
+  for (const std::uint32_t v : truth.judged)
+    estimates.push_back({r.kappa_max[v], r.kappa_min[v], r.dir_max[v], r.standard_error[v]});
   const double edge = test_support::average_edge_length(truth.mesh);
   print(cell, "ours", 0, compare(truth, estimates), r.noise / edge, seconds);
+}
+
+/// Processor time of the fastest of three runs.
+double processor_seconds(const TriangleMesh& mesh, const integral_invariant::Parameters& parameters)
+{
+  double fastest = 1e300;
+  for (int run = 0; run < 3; ++run) {
+    const double start = cpu_seconds();
+    integral_invariant::compute_curvature(mesh, parameters);
+    fastest = std::min(fastest, cpu_seconds() - start);
+  }
+  return fastest;
+}
+
+void run_cost(const Cell& cell, const TruthMesh& truth)
+{
+  const TriangleMesh mesh = with_noise(truth, cell.sigma, cell.seed());
+  const double automatic = processor_seconds(mesh, {});
+  integral_invariant::Parameters p = integral_invariant::published_method();
+  const double published = processor_seconds(mesh, p);
+  // The radii of the default settings, so that both see the same balls.
+  const double edge = test_support::average_edge_length(mesh);
+  p.scales = integral_invariant::Parameters{}.scales;
+  p.spacing = integral_invariant::ScaleSpacing::geometric;
+  p.r_min = 1.5 * edge;
+  p.r_max = 16 * edge;
+  const double same_balls = processor_seconds(mesh, p);
+  std::printf("%s,%s,%g,%zu,%.4g,%.4g,%.4g\n", cell.shape.c_str(), cell.meshing.c_str(), cell.sigma,
+              mesh.positions.size(), automatic, published, same_balls);
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -101,7 +135,10 @@ void run_ours(const Cell& cell, const TruthMesh& truth)
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
-  print_header();
+  if (options.mode == "cost")
+    std::puts("shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds");
+  else
+    print_header();
   TruthMesh truth;
   std::string loaded;
   int mesh = -1;
@@ -111,7 +148,9 @@ try {
     if (mesh % options.parts != options.part || cell.name().find(options.filter) == std::string::npos) continue;
     if (name != loaded) truth = load(cell, options.models);
     loaded = name;
-    options.mode == "peers" ? run_peers(cell, truth) : run_ours(cell, truth);
+    if (options.mode == "peers") run_peers(cell, truth);
+    if (options.mode == "ours") run_ours(cell, truth);
+    if (options.mode == "cost") run_cost(cell, truth);
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

@@ -119,6 +119,17 @@ def peers_table(ours, peers):
                  [line for _, line in sorted(lines, key=lambda pair: pair[0])])
 
 
+def cost_table(rows):
+    columns = ["published_seconds", "same_balls_seconds"]
+    lines = [[row["shape"], f"{row['sigma']:g}", f"{row['vertices']:g}", f"{row['default_seconds']:.2f}"] +
+             [f"{row[c]:.2f}" for c in columns] + [f"{row['default_seconds'] / row[c]:.2f}" for c in columns]
+             for row in rows]
+    means = [geometric_mean([row["default_seconds"] / row[c] for row in rows]) for c in columns]
+    lines.append(["geometric mean"] + [""] * 5 + [f"{m:.2f}" for m in means])
+    return table(["shape", "σ/ē", "vertices", "default, s", "published settings, s", "published, default's radii, s",
+                  "ratio", "ratio, same radii"], lines)
+
+
 def radius_figure(ours, peers, cell):
     """Error of each peer against its radius, ours as a line: an SVG of 480 × 320."""
     series = {}
@@ -164,6 +175,7 @@ def main():
         "peers": peers_table(ours, peers),
         "regular": cells_table(ours, peers, lambda r: r["meshing"] == "regular"),
         "meshing": cells_table(ours, peers, lambda r: r["meshing"] in ("irregular", "graded", "slivers")),
+        "cost": cost_table(read(results / "cost.csv")),
         "cad": cells_table(ours, peers, lambda r: r["meshing"] == "cad"),
     }
     page = docs / "accuracy.md"

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "fused_pair.h"
 #include "implicit_curvature.h"
 #include "support/shapes.h"
 
@@ -17,7 +18,7 @@ using namespace integral_invariant;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int star_vertices = 10242;
+constexpr int star_vertices = 10242, pair_vertices = 1000;
 constexpr std::size_t judged_vertices = 800;
 
 /// Radius of a star-shaped surface in the direction of a unit vector.
@@ -127,27 +128,6 @@ TruthMesh patch(const std::function<double(double, double)>& height)
   return truth;
 }
 
-/// The harmonic shape beside a copy of itself scaled up by 8, both meshed with the same edge length; errors at a vertex
-/// are relative to the curvatures of its own copy, and as many vertices are judged on either.
-TruthMesh pair_of_scales()
-{
-  TruthMesh truth = star_shape(harmonic_radius, Meshing::irregular, 500);
-  const TruthMesh large = star_shape(harmonic_radius, Meshing::irregular, 500 * 64);
-  const std::size_t n = truth.mesh.positions.size(), m = large.mesh.positions.size();
-  truth.mesh = test_support::joined(truth.mesh, test_support::translated(test_support::scaled(large.mesh, 8), {12, 0, 0}));
-  truth.normal.insert(truth.normal.end(), large.normal.begin(), large.normal.end());
-  truth.dir_max.insert(truth.dir_max.end(), large.dir_max.begin(), large.dir_max.end());
-  for (const double k : large.kappa_max) truth.kappa_max.push_back(k / 8);
-  for (const double k : large.kappa_min) truth.kappa_min.push_back(k / 8);
-  set_reference(truth, n, n + m);
-  std::vector<std::uint32_t> small_part(n), large_part(m);
-  std::iota(small_part.begin(), small_part.end(), 0u);
-  std::iota(large_part.begin(), large_part.end(), std::uint32_t(n));
-  draw_judged(truth, small_part, judged_vertices / 2);
-  draw_judged(truth, large_part, judged_vertices / 2);
-  return truth;
-}
-
 TruthMesh unjudged_shape(const std::string& name, Meshing meshing)
 {
   if (name == "sphere") return star_shape([](const Vec3&) { return 1.0; }, meshing, star_vertices);
@@ -158,7 +138,7 @@ TruthMesh unjudged_shape(const std::string& name, Meshing meshing)
   if (name == "capsule") return capsule();
   if (name == "saddle") return patch([](double x, double y) { return (x * x - y * y) / 2; });
   if (name == "quadric") return patch([](double x, double y) { return -0.8 * x * x - 0.3 * y * y; });
-  if (name == "pair_1_8") return pair_of_scales();
+  if (name == "pair_1_8") return fused_pair(harmonic_radius, pair_vertices, judged_vertices);
   throw std::invalid_argument("no shape is called " + name);
 }
 

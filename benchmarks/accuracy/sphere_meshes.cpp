@@ -52,14 +52,18 @@ TriangleMesh hull(const std::vector<Vec3>& points)
   return mesh;
 }
 
-/// Points by dart throwing, no two nearer than `distance(p)`. Cost O(tries): cells of the largest distance.
+/// `points` and more, to `count` of them, by dart throwing: none nearer than `distance(p)`. Cost O(tries): cells of the
+/// largest distance, and where it is larger than a cell there is to be no point.
 template <class Distance>
-std::vector<Vec3> scattered(int count, const Distance& distance, double cell)
+std::vector<Vec3> scattered(int count, const Distance& distance, double cell, std::vector<Vec3> points = {})
 {
   std::mt19937 generator(7);
   std::normal_distribution<double> gauss;
   std::map<std::array<int, 3>, std::vector<Vec3>> cells;
-  std::vector<Vec3> points;
+  const auto home_of = [&](const Vec3& p) {
+    return std::array<int, 3>{int(std::floor(p.x / cell)), int(std::floor(p.y / cell)), int(std::floor(p.z / cell))};
+  };
+  for (const Vec3& p : points) cells[home_of(p)].push_back(p);
   const auto is_free = [&](const Vec3& p, const std::array<int, 3>& home) {
     for (int dx = -1; dx <= 1; ++dx)
       for (int dy = -1; dy <= 1; ++dy)
@@ -73,8 +77,8 @@ std::vector<Vec3> scattered(int count, const Distance& distance, double cell)
   };
   for (int tries = 0; int(points.size()) < count && tries < 400 * count; ++tries) {
     const Vec3 p = normalized({gauss(generator), gauss(generator), gauss(generator)});
-    const std::array<int, 3> home{int(std::floor(p.x / cell)), int(std::floor(p.y / cell)), int(std::floor(p.z / cell))};
-    if (!is_free(p, home)) continue;
+    const std::array<int, 3> home = home_of(p);
+    if (distance(p) > cell || !is_free(p, home)) continue;
     cells[home].push_back(p);
     points.push_back(p);
   }
@@ -119,6 +123,24 @@ TriangleMesh sphere_mesh(Meshing meshing, int vertices)
   while (10 * (1 << (2 * levels + 2)) + 2 < 1.5 * vertices) ++levels;
   const TriangleMesh regular = test_support::icosphere(levels);
   return meshing == Meshing::regular ? regular : hull(with_twins(regular.positions, 0.15 * spacing));
+}
+
+TriangleMesh sphere_mesh_with_hole(int vertices, double angle, int rim)
+{
+  const double spacing = std::sqrt(4 * pi / vertices);
+  std::vector<Vec3> points;
+  for (int j = 0; j < rim; ++j) {
+    const double azimuth = 2 * pi * j / rim;
+    points.push_back({std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)});
+  }
+  const auto distance = [&](const Vec3& p) { return p.z < std::cos(angle) ? 0.6 * spacing : 3.0; };
+  TriangleMesh mesh = hull(scattered(vertices, distance, spacing, points));
+  const auto is_rim = [&](int v) { return v < rim; };
+  auto& triangles = mesh.triangles;
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&](const Triangle& t) { return std::all_of(t.begin(), t.end(), is_rim); }),
+                  triangles.end());
+  return mesh;
 }
 
 }  // namespace accuracy

@@ -16,4 +16,8 @@ std::string name_of(Meshing meshing);
 /// slivers: a third of the vertices of a regular mesh have a twin at 0.15 of the edge length.
 TriangleMesh sphere_mesh(Meshing meshing, int vertices);
 
+/// The irregular mesh without a cap of angle `angle` about +z; the first `rim` vertices stand around it,
+/// counterclockwise.
+TriangleMesh sphere_mesh_with_hole(int vertices, double angle, int rim);
+
 }  // namespace accuracy

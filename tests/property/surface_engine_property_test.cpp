@@ -155,7 +155,7 @@ TEST(SurfaceEngineProperty, LargeBallsAreWithinOnePercentOfExact)
     const TriangleMesh mesh = torus(1, 0.4, 130, 72);
     const double edge = average_edge_length(mesh);
     const Surface surface(with_normal_noise(with_tangential_jitter(mesh, 0.35 * edge), noise * edge));
-    Parameters parameters;
+    Parameters parameters = published_method();
     const MomentTable balanced = surface_moments(surface, wide, parameters);
     parameters.exactness = Exactness::exact;
     const MomentTable exact = surface_moments(surface, wide, parameters);
@@ -174,7 +174,7 @@ TEST(SurfaceEngineProperty, LargeBallsKnowHolesAndTheirConfidence)
     if (i % 600 > 12) kept.push_back(mesh.triangles[i]);
   mesh.triangles = kept;
   const Surface surface(mesh);
-  Parameters parameters;
+  Parameters parameters = published_method();
   const MomentTable balanced = surface_moments(surface, radii, parameters);
   parameters.exactness = Exactness::exact;
   const MomentTable exact = surface_moments(surface, radii, parameters);
@@ -190,7 +190,7 @@ TEST(SurfaceEngineProperty, LargeBallsSeeBothSidesOfAThinPlate)
   const double thickness = 0.05;
   const Surface surface(box(2, 2, thickness, thickness));
   const std::vector<double> wide = {2, 6, 15, 40};
-  Parameters parameters;
+  Parameters parameters = published_method();
   const MomentTable balanced = surface_moments(surface, wide, parameters);
   parameters.exactness = Exactness::exact;
   const MomentTable exact = surface_moments(surface, wide, parameters);

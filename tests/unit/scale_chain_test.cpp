@@ -30,14 +30,15 @@ struct Setting {
   /// Truth plus slope · r² plus noise whose differences between scales are independent.
   Signal signal(double truth, double slope, double noise_density)
   {
-    Signal s{1, true, disc_variance::mean_curvature, 6, {}};
+    Signal s{1, {}, {}};
     s.values.resize(places.size() * radii.size());
+    s.noise.resize(s.values.size());
     std::mt19937 generator(5);
     std::normal_distribution<double> gauss;
     for (std::size_t v = 0; v < places.size(); ++v) {
       double noise = 0, variance_before = 0;
       for (std::size_t i = radii.size(); i-- > 0;) {
-        const double variance = s.coefficient * noise_density / std::pow(radii[i], 6);
+        const double variance = disc_variance::mean_curvature * noise_density / std::pow(radii[i], 6);
         noise += std::sqrt(variance - variance_before) * gauss(generator);
         variance_before = variance;
         s.values[v * radii.size() + i] = {float(truth + slope * radii[i] * radii[i] + noise), 0};
@@ -46,16 +47,17 @@ struct Setting {
     return s;
   }
 
-  ChainResult run(const Signal& s, double noise_density, bool predict = true)
+  /// As if the noise had the density given.
+  ChainResult run(Signal s, double noise_density, bool predict = true)
   {
-    density.assign(places.size(), noise_density);
-    flatness.assign(places.size(), 0);
-    return run_scale_chain(s, {radii, balls, density, flatness, least_radius, pools, predict});
+    for (std::size_t place = 0; place < s.noise.size(); ++place)
+      s.noise[place] = float(disc_variance::mean_curvature * noise_density / std::pow(radii[place % radii.size()], 6));
+    return run_scale_chain(s, {radii, balls, least_radius, pools, predict});
   }
 
   std::vector<Vec3> places;
   WholeBalls balls;
-  std::vector<double> density, flatness, least_radius;
+  std::vector<double> least_radius;
   std::vector<GridPool> pools;
 };
 

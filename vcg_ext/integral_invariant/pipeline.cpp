@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method of [Lai09] from mesh to curvatures: the paper's five steps, one call each; or all scales at once, weighted by
-// their evidence. Everything between the checked surface and the result is in normalised units (average edge length 1).
+// The method of [Lai09] from mesh to curvatures: the paper's five steps, one call each; or all scales at once, weighted
+// by their evidence. Everything between the checked surface and the result is in normalised units (average edge length
+// 1).
 #include "integral_invariant/pipeline.h"
 
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/offset_free.h"
 #include "integral_invariant/curvature/scale_blend.h"
+#include "integral_invariant/curvature/vertex_fit.h"
 #include "integral_invariant/moments/engine.h"
 #include "integral_invariant/radius/feature_adapted.h"
 #include "integral_invariant/radius/scales.h"
@@ -126,10 +128,11 @@ void curvature_by_evidence(const Surface& surface, OffsetFreeField field, const 
                            Execution& execution)
 {
   execution.begin_stage("noise", 83);
-  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, p.noise / surface.unit(), execution);
+  const std::vector<VertexFit> fits = fit_vertices(surface, field.tensors, execution);
+  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit());
 
   execution.begin_stage("weighing the scales", 99);
-  const StatisticalCurvature best = combine_scales(surface, field.tensors, noise, p.estimator, execution);
+  const StatisticalCurvature best = combine_scales(surface, field.tensors, fits, noise, p.estimator, execution);
 
   execution.begin_stage("principal curvatures", 100);
   result.converged = surface.vertex_count();
@@ -164,7 +167,7 @@ void describe_run(const Surface& surface, const std::vector<double>& scales, con
 void require_memory_for_arrays(std::size_t vertices, std::size_t scales, std::size_t limit_mb)
 {
   constexpr std::size_t result_bytes = 4 * sizeof(double) + 3 * sizeof(Vec3) + sizeof(float);
-  constexpr std::size_t radius_bytes = 3 * sizeof(double);
+  constexpr std::size_t radius_bytes = 3 * sizeof(double) + sizeof(VertexFit);
   const double bytes = double(vertices) * double(TensorField::bytes_per_vertex(scales) + result_bytes + radius_bytes);
   require_memory(bytes, limit_mb, "Curvature at " + std::to_string(scales) + " scales of " + std::to_string(vertices) +
                  " vertices", "Reduce scales or the number of vertices");

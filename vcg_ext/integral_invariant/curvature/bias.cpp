@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 2: removal of bias. In: offset-free tensors (normalised units). Out: the same, corrected. Cost: O(1) a tensor,
-// O(scales²) a vertex for the extrapolation. Source: docs/method.md §4; the integrals are written out in docs/accuracy.md.
+// O(scales²) a vertex for the extrapolation. Source: docs/method.md §4; the integrals are written out in
+// docs/accuracy.md.
 #include "integral_invariant/curvature/bias.h"
 
 #include <algorithm>
@@ -9,6 +10,10 @@
 namespace integral_invariant {
 
 namespace {
+
+/// The expansions hold for small κr, κδ and δ/r; beyond, noise is taken for curvature, and corrections would amplify
+/// it.
+constexpr double largest_kr = 0.9;
 
 /// K = mean·P + deviator on the tangent plane; ±half_difference are the deviator's eigenvalues.
 struct Split {
@@ -47,8 +52,7 @@ CubicBias cubic_bias(double mean, double half, double r)
 CurvatureTensor without_own_bias(const CurvatureTensor& measured, double r, double offset, double noise_variance)
 {
   const Split s = split(measured);
-  // The expansions hold for small κr, κδ and δ/r; beyond, noise is taken for curvature, and corrections would amplify it.
-  constexpr double largest_kr = 0.9, largest_ratio = 0.1, largest_kd = 0.3;
+  constexpr double largest_ratio = 0.1, largest_kd = 0.3;
   const double ratio = std::min((offset * offset + noise_variance) / (r * r), largest_ratio);
   double mean = s.mean * (1 + 6 * ratio) - 4 * offset * offset * offset / (r * r * r * r);
   double half = s.half_difference * (1 + 1.5 * ratio);
@@ -64,6 +68,18 @@ CurvatureTensor without_own_bias(const CurvatureTensor& measured, double r, doub
   half *= 1 - 2 * shift * mean;
   const double factor = s.half_difference > 0 ? half / s.half_difference : 0;
   return {s.projector * parallel_mean + s.deviator * factor, measured.normal, measured.confidence};
+}
+
+CurvatureTensor without_graph_bias(const CurvatureTensor& measured, double r)
+{
+  const Split s = split(measured);
+  const double largest = std::max(std::abs(s.mean) + s.half_difference, 1e-30);
+  const double shrink = std::min(1.0, largest_kr / (largest * r));
+  const double h = s.mean * shrink, a = s.half_difference * shrink;
+  const double mean = s.mean - r * r / 4 * (h * h * h + 2 * h * a * a);
+  const double half = s.half_difference - 3 * r * r / 16 * (3 * h * h * a + a * a * a);
+  const double factor = s.half_difference > 0 ? half / s.half_difference : 0;
+  return {s.projector * mean + s.deviator * factor, measured.normal, measured.confidence};
 }
 
 void extrapolate_to_zero_radius(TensorField& tensors, Execution& execution)

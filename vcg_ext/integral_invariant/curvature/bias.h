@@ -16,8 +16,13 @@ namespace integral_invariant {
 /// \param noise_variance σ², L²
 CurvatureTensor without_own_bias(const CurvatureTensor& measured, double radius, double offset, double noise_variance);
 
-/// Replaces the tensor of each scale by K₀ of the fit K(r) = K₀ + c r² to all scales up to it, weighted by the variances of
-/// disc_variance: the term of fourth order in the surface's height, which no single ball can tell from curvature.
+/// The same for a fit of heights over a disc of radius r (VertexFitter::discs), which has the third order alone: the
+/// height's −(k k₂/8)ρ⁴ reads as (r²/4) k k₂ in the mean curvature and as 3/4 of its share in the deviator.
+CurvatureTensor without_graph_bias(const CurvatureTensor& measured, double radius);
+
+/// Replaces the tensor of each scale by K₀ of the fit K(r) = K₀ + c r² to all scales up to it, weighted by the
+/// variances of disc_variance: the term of fourth order in the surface's height, which no single ball can tell from
+/// curvature.
 void extrapolate_to_zero_radius(TensorField& tensors, Execution& execution);
 
 }  // namespace integral_invariant

@@ -12,7 +12,7 @@ namespace integral_invariant {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double widest_near = 3.5, widest_rim = 4, least_far = 5;  // edges
+constexpr double rim_gap = 0.5, least_gain = 1.5;  // edges
 constexpr std::uint32_t nowhere = ~0u;
 constexpr std::uint8_t listed = 255;  // as least scale: the leaf is in the lists already
 
@@ -31,12 +31,12 @@ std::vector<double> with_rim(const ScaleSplit& split)
 
 }  // namespace
 
-ScaleSplit ScaleSplit::of(const std::vector<double>& radii)
+ScaleSplit ScaleSplit::of(const std::vector<double>& radii, double widest_near)
 {
-  if (radii.back() < least_far) return none(radii);
+  if (radii.back() < widest_near + least_gain) return none(radii);
   const auto first_far = std::lower_bound(radii.begin(), radii.end(), widest_near);
   ScaleSplit split{{radii.begin(), first_far}, {first_far, radii.end()}};
-  split.near.push_back(std::min(widest_rim, *first_far));
+  split.near.push_back(std::min(widest_near + rim_gap, *first_far));
   return split;
 }
 

@@ -16,8 +16,8 @@ struct ScaleSplit {
   std::vector<double> near;  ///< with the rim as the last one, unless `far` is empty
   std::vector<double> far;
 
-  /// Of increasing radii, in edges.
-  static ScaleSplit of(const std::vector<double>& radii);
+  /// Of increasing radii, in edges: closed forms under `widest_near`, unless what is beyond is not worth it.
+  static ScaleSplit of(const std::vector<double>& radii, double widest_near);
   /// All in closed form.
   static ScaleSplit none(const std::vector<double>& radii) { return {radii, {}}; }
 };

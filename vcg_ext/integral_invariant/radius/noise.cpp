@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: noise estimate. In: offset-free measures of all scales. Out: offset, σ and noise density of every vertex.
+// Stage 3: noise estimate. In: offset-free measures of all scales, fits to the vertices. Out: offset, σ and noise
+// density of every vertex.
 // Cost: O(n), about 2 µs a vertex. Source: docs/method.md §4, docs/accuracy.md.
 #include "integral_invariant/radius/noise.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "integral_invariant/curvature/offset_free.h"
 #include "integral_invariant/support/grid_pool.h"
 
 namespace integral_invariant {
@@ -17,24 +17,17 @@ namespace {
 struct OffsetScales {
   int first;
   double first_weight, second_weight;  ///< sum 1, orthogonal to r⁴
-  double own_share;                    ///< variance of δ̂ over σ² is 1 − own_share · (area a vertex)
 };
 
 OffsetScales offset_scales(const std::vector<double>& radii)
 {
   constexpr double smallest_radius = 2;  // in a smaller ball the triangles' own flatness counts
   const int last = int(radii.size()) - 2;
-  OffsetScales s{0, 0, 0, 0};
+  OffsetScales s{0, 0, 0};
   while (s.first < last && radii[s.first] < smallest_radius) ++s.first;
   const double a = radii[s.first], b = radii[s.first + 1], q = std::pow(b / a, 4);
   s.first_weight = q / (q - 1);
   s.second_weight = -1 / (q - 1);
-  // The fit's kernel at the centre is 4/(π r²), which is its norm too, and the product of two nested ones is the larger's.
-  const double ka = disc_variance::height / (a * a), kb = disc_variance::height / (b * b);
-  const double own = s.first_weight * ka + s.second_weight * kb;
-  const double squares = s.first_weight * s.first_weight * ka +
-                         (2 * s.first_weight * s.second_weight + s.second_weight * s.second_weight) * kb;
-  s.own_share = 2 * own - squares;
   return s;
 }
 
@@ -72,8 +65,8 @@ SquaredEdges squared_edges(const Surface& surface, std::size_t v, const Vec3& no
   return {mean, std::sqrt(std::max(0.0, squares / double(end - begin) - mean * mean))};
 }
 
-/// How much a vertex's small balls show noise and not a crease or a boundary. It falls gently with the curvature: a small
-/// part may have nothing better, and a threshold would pick vertices by their noise.
+/// How much a vertex's small balls show noise and not a crease or a boundary. It falls gently with the curvature: a
+/// small part may have nothing better.
 double smoothness(const CurvatureTensor& tensor, double radius)
 {
   constexpr double usual_kr = 0.6, largest_kr = 1.2, least_confidence = 0.95;
@@ -81,22 +74,37 @@ double smoothness(const CurvatureTensor& tensor, double radius)
   return tensor.confidence < least_confidence || kr > largest_kr ? 0 : 1 / (1 + std::pow(kr / usual_kr, 6));
 }
 
-/// Largest offset that is taken for noise: six robust standard deviations over the whole mesh. Beyond are creases and thin
-/// parts, whose offsets are shape.
-double largest_noise(std::vector<double> offsets)
+/// σ² of the neighbourhood, from the residuals of the fits; −1 where there is none. Creases stand out of it: first the
+/// average of the logarithms, which they move little, then of those that agree with it.
+std::vector<double> residual_variance(const std::vector<VertexFit>& fits, const GridPool& pool)
 {
-  constexpr double deviations = 6, normal_mad = 1.4826, least = 0.005;
-  if (offsets.empty()) return least;
-  for (double& offset : offsets) offset = std::abs(offset);
-  const auto middle = offsets.begin() + std::ptrdiff_t(offsets.size() / 2);
-  std::nth_element(offsets.begin(), middle, offsets.end());
-  return std::max(least, deviations * normal_mad * *middle);
+  constexpr double least = 1e-20, evident = 6;
+  constexpr int rounds = 4;
+  const std::size_t n = fits.size();
+  std::vector<double> variance(n, -1);
+  std::vector<std::array<double, 2>> local(n);
+  const auto counts = [&](std::size_t v) { return fits[v].residual >= 0; };
+  for (std::size_t v = 0; v < n; ++v)
+    local[v] = {counts(v) ? 1.0 : 0, counts(v) ? std::log(fits[v].residual + least) : 0};
+  const auto logarithms = pool.sums(local);
+  for (std::size_t v = 0; v < n; ++v)
+    if (logarithms[v][0] > 1e-3) variance[v] = std::exp(logarithms[v][1] / logarithms[v][0]);
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t v = 0; v < n; ++v) {
+      const bool agrees = counts(v) && fits[v].residual < evident * variance[v];
+      local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual : 0};
+    }
+    const auto sums = pool.sums(local);
+    for (std::size_t v = 0; v < n; ++v)
+      if (sums[v][0] > 1e-3) variance[v] = sums[v][1] / sums[v][0];
+  }
+  return variance;
 }
 
 }  // namespace
 
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
-                     double known_sigma, Execution&)
+                     const std::vector<VertexFit>& fits, double known_sigma)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   const OffsetScales s = offset_scales(tensors.radii());
@@ -110,8 +118,7 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   noise.offset.resize(n);
   noise.flatness.resize(n);
   std::vector<double> uneven(n);  // how much triangles differ in how far they lie inside
-  std::vector<std::array<double, 4>> local(n);
-  std::vector<double> found;
+  std::vector<std::array<double, 2>> local(n);
   for (std::size_t v = 0; v < n; ++v) {
     const double counts = surface.is_referenced(v) ? smoothness(tensors.at_scale(v, calm), tensors.radii()[calm]) : 0;
     const CurvatureTensor small = tensors.at_scale(v, s.first + 1);
@@ -123,21 +130,18 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
     const double offset = s.first_weight * offsets[v * scales + s.first] +
                           s.second_weight * offsets[v * scales + s.first + 1] + mean * edges.mean / 8;
     noise.offset[v] = counts > 0 ? offset : 0;
-    if (counts > 0) found.push_back(offset);
-    local[v] = {counts, counts, counts * area[v], counts * area[v] * area[v]};
+    local[v] = {counts * area[v], counts * area[v] * area[v]};
   }
-  const double largest = largest_noise(std::move(found));
-  for (std::size_t v = 0; v < n; ++v) local[v][1] *= std::pow(std::min(std::abs(noise.offset[v]), largest), 2);
-  const auto pooled = GridPool(surface.positions(), pool_cell).sums(local);
+  const GridPool pool(surface.positions(), pool_cell);
+  const auto pooled_area = pool.sums(local);
+  const std::vector<double> variance = residual_variance(fits, pool);
 
-  // Vertices without a smooth neighbourhood get the average of the others.
+  // Vertices without fits around get the average of the others.
   double variance_sum = 0, count = 0;
-  std::vector<double> variance(n, -1), area_each(n, usual_area);
+  std::vector<double> area_each(n, usual_area);
   for (std::size_t v = 0; v < n; ++v) {
-    if (!(pooled[v][0] > 1e-3) || !(pooled[v][2] > 0)) continue;
-    const double own = s.own_share * pooled[v][2] / pooled[v][0];
-    variance[v] = pooled[v][1] / pooled[v][0] / std::max(0.3, 1 - own);
-    area_each[v] = pooled[v][3] / pooled[v][2];
+    if (pooled_area[v][0] > 0) area_each[v] = pooled_area[v][1] / pooled_area[v][0];
+    if (variance[v] < 0) continue;
     variance_sum += variance[v];
     ++count;
   }

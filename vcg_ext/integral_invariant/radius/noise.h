@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "integral_invariant/curvature/scale_blend.h"
-#include "integral_invariant/support/execution.h"
+#include "integral_invariant/curvature/vertex_fit.h"
 #include "integral_invariant/surface.h"
 
 namespace integral_invariant {
@@ -19,11 +19,13 @@ struct Noise {
   double mean_sigma = 0;        ///< root mean square of sigma
 };
 
-/// The offsets of two small balls, extrapolated to radius 0 (shape enters an offset with r⁴), are the vertex's own noise but
-/// for a known share. Their mean square over the neighbourhood gives σ; vertices near a crease or a boundary are left out.
-/// `offsets` are those of offset_free_measure(), scale by scale for each vertex. A `known_sigma` above 0 is taken instead of σ.
+/// σ² is the mean over the neighbourhood of what the polynomials through the nearest vertices leave over
+/// (VertexFit::residual), without those that stand far out of it, as on creases; it knows no flat triangles, and δ/r
+/// does not enter. The offset is extrapolated from two small balls to radius 0 (shape enters an offset with r⁴).
+/// `offsets` are those of offset_free_measure(), scale by scale for each vertex. A `known_sigma` above 0 is taken
+/// instead of σ.
 /// \pre at least two scales. Cost O(n).
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
-                     double known_sigma, Execution& execution);
+                     const std::vector<VertexFit>& fits, double known_sigma);
 
 }  // namespace integral_invariant

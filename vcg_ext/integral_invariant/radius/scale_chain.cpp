@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: scale chain. In: a signal at all scales, what is known about its noise. Out: its value at radius 0, with variance.
+// Stage 3: scale chain. In: a signal at all scales, what is known about its noise. Out: its value at radius 0, with
+// variance.
 // Cost: O(n · scales), two averages over the neighbourhood a scale. Source: docs/method.md §4, docs/accuracy.md.
 #include "integral_invariant/radius/scale_chain.h"
 
@@ -28,13 +29,9 @@ struct State {
 class Chain {
  public:
   Chain(const Signal& signal, const ScaleEvidence& evidence)
-      : signal_(signal), e_(evidence), n_(evidence.density.size()), scales_(evidence.radii.size()), states_(n_),
+      : signal_(signal), e_(evidence), n_(evidence.least_radius.size()), scales_(evidence.radii.size()), states_(n_),
         slope_(n_), innovation_(n_)
   {
-    for (const double r : e_.radii) {
-      random_.push_back(signal_.coefficient / std::pow(r, signal_.power));
-      inverse_eighth_.push_back(std::pow(r, -8));
-    }
   }
 
   ChainResult run()
@@ -49,19 +46,25 @@ class Chain {
   }
 
  private:
-  static constexpr double least_share = 0.1, drowned_share = 0.3, largest_energy = 25, evident_energy = 12;
+  /// In units of the noise's variance. What the average over the neighbourhood must pass to be shape, the same after a
+  /// scale showed nothing but noise; the most that one vertex can add to the average; what shows at the vertex itself,
+  /// and there where less was to be expected.
+  static constexpr double least_share = 0.1, drowned_share = 0.3, largest_energy = 25, evident_energy = 12,
+                          evident_against_odds = 25;
 
   bool is_measured(std::size_t v, int i) const { return e_.balls.origin[v * scales_ + std::size_t(i)] != Origin::none; }
   Pair difference(std::size_t v, int i) const
   {
-    const auto &a = signal_.at(v, scales_, i), &b = signal_.at(v, scales_, i + 1);
+    const auto &a = signal_.values[v * scales_ + std::size_t(i)], &b = signal_.values[v * scales_ + std::size_t(i) + 1];
     return {double(a[0]) - double(b[0]), double(a[1]) - double(b[1])};
   }
-  /// Variance of the measurement.
-  double noise_of(std::size_t v, int i) const
+  double noise_of(std::size_t v, int i) const { return double(signal_.noise[v * scales_ + std::size_t(i)]); }
+  /// Of the difference between scale i and the next; a little of it at least, where one of them is a fit of its own
+  /// kind.
+  double noise_between(std::size_t v, int i) const
   {
-    const double flat = signal_.is_curvature ? e_.flatness[v] * e_.flatness[v] * inverse_eighth_[std::size_t(i)] : 0;
-    return random_[std::size_t(i)] * e_.density[v] + flat;
+    constexpr double least = 0.05;
+    return std::max(noise_of(v, i) - noise_of(v, i + 1), least * noise_of(v, i)) + 1e-30;
   }
   double energy(std::size_t v) const { return dot(innovation_[v], innovation_[v]) / signal_.components; }
   /// r_{i+1}² − r_i²
@@ -75,7 +78,7 @@ class Chain {
   {
     for (std::size_t v = 0; v < n_; ++v) {
       if (e_.balls.largest[v] != i) continue;
-      const auto& y = signal_.at(v, scales_, i);
+      const auto& y = signal_.values[v * scales_ + std::size_t(i)];
       states_[v].value = {double(y[0]), double(y[1])};
       states_[v].variance = noise_of(v, i);
       states_[v].log_radius = std::log(e_.radii[std::size_t(i)]);
@@ -106,9 +109,9 @@ class Chain {
       if (i >= e_.balls.largest[v] || !is_measured(v, i)) continue;
       const Pair d = difference(v, i);
       for (int c = 0; c < 2; ++c) innovation_[v][c] = d[c] - slope_[v] * states_[v].detail[c];
-      const double noise = noise_of(v, i) - noise_of(v, i + 1);
-      // A crease must not spread its strength over the flat parts around.
-      energies[v] = {1, std::min(energy(v), largest_energy * noise), noise};
+      const double noise = noise_between(v, i);
+      // By the noise: noisy members tell less. A crease must not spread its strength over the flat parts around.
+      energies[v] = {1 / noise, std::min(energy(v) / noise, largest_energy), 1};
     }
     const auto sums = e_.pools[std::size_t(i)].sums(energies);
     for (std::size_t v = 0; v < n_; ++v)
@@ -118,15 +121,14 @@ class Chain {
   void update_vertex(std::size_t v, int i, const std::array<double, 3>& sums)
   {
     State& s = states_[v];
-    const double noise = noise_of(v, i) - noise_of(v, i + 1) + 1e-30;
+    const double noise = noise_between(v, i);
     double shape = sums[0] > 0 ? std::max(0.0, (sums[1] - sums[2]) / sums[0]) : 0;
     // An average that passes the noise by little is chance, the more so under the scale at which noise took over.
     if (shape < (s.is_drowned ? drowned_share : least_share) * noise) shape = 0;
     s.is_drowned = s.is_drowned || shape == 0;
-    // What stands out of the noise at the vertex itself is shape. A substitute from other places shows their distance too,
-    // which the neighbourhood's average does not know.
-    const bool is_substitute = e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::neighbours;
-    const double evident = is_substitute ? 1 : s.is_drowned ? largest_energy : evident_energy;
+    // What stands out of the noise at the vertex itself is shape.
+    const bool is_fit = e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::vertices;
+    const double evident = s.is_drowned || is_fit ? evident_against_odds : evident_energy;
     shape = std::max(shape, energy(v) - evident * noise);
     const bool says_nothing = !is_measured(v, i) || e_.radii[std::size_t(i)] < e_.least_radius[v];
     if (says_nothing) shape = 0;
@@ -143,7 +145,7 @@ class Chain {
   /// Shape under the noise does not show: it is taken to be as large as could have hidden, but to fall with the scale.
   static void add_uncertainty(State& s, double weight, double shape, double noise, double slope)
   {
-    constexpr double hidden_share = 0.4, largest_decay = 0.5;
+    constexpr double hidden_share = 0.3, largest_decay = 0.5;
     shape = std::max(shape, std::min(hidden_share * noise, largest_decay * s.shape_variance));
     s.shape_variance = shape;
     const double lost = 1 - weight;
@@ -172,7 +174,6 @@ class Chain {
   const Signal& signal_;
   const ScaleEvidence& e_;
   const std::size_t n_, scales_;
-  std::vector<double> random_, inverse_eighth_;  ///< a scale: variance over density, r⁻⁸
   std::vector<State> states_;
   std::vector<double> slope_;
   std::vector<Pair> innovation_;
@@ -180,6 +181,9 @@ class Chain {
 
 }  // namespace
 
-ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence) { return Chain(signal, evidence).run(); }
+ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence)
+{
+  return Chain(signal, evidence).run();
+}
 
 }  // namespace integral_invariant

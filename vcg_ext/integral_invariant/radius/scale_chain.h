@@ -11,27 +11,18 @@
 
 namespace integral_invariant {
 
-/// A quantity of up to two components, measured at every scale of every vertex, with measurement noise whose variance is
-/// coefficient · s² / r^power for each component, independent between differences of scales (see disc_variance).
+/// A quantity of up to two components, measured at every scale of every vertex, with noise whose differences between
+/// scales are independent (see disc_variance).
 struct Signal {
   int components;
-  bool is_curvature;
-  double coefficient;
-  int power;
   std::vector<std::array<float, 2>> values;  ///< n × scales
-
-  const std::array<float, 2>& at(std::size_t v, std::size_t scales, int scale) const
-  {
-    return values[v * scales + std::size_t(scale)];
-  }
+  std::vector<float> noise;                  ///< n × scales: variance of either component
 };
 
 /// What all signals of a run share.
 struct ScaleEvidence {
   const std::vector<double>& radii;
   const WholeBalls& balls;
-  const std::vector<double>& density;       ///< n: s²
-  const std::vector<double>& flatness;      ///< n: further error of a curvature, times r⁴
   const std::vector<double>& least_radius;  ///< n: smaller balls are not linear in the noise and say nothing
   const std::vector<GridPool>& pools;       ///< one a scale but the largest, for averages over the neighbourhood
   bool predict;                             ///< whether a scale is predicted from the larger one: removes bias
@@ -43,14 +34,15 @@ struct ChainResult {
   std::vector<double> radius;                ///< n: of the ball that alone would smooth as much
 };
 
-/// From the largest scale down, the estimate grows by the estimated differences between neighbouring scales:
-/// x̂ = Y_top + Σ d̂_i, d̂_i = β_i d̂_{i+1} + w_i (Y_i − Y_{i+1} − β_i d̂_{i+1}).
+/// From the largest scale down, the estimate grows by the estimated differences between neighbouring scales: x̂ = Y_top
+/// + Σ d̂_i, d̂_i = β_i d̂_{i+1} + w_i (Y_i − Y_{i+1} − β_i d̂_{i+1}).
 ///
 /// A Kalman filter whose model is measured on the surface itself: β_i, how much of a difference follows from the one
-/// before (bias grows as r², so at most (r_{i+1}² − r_i²)/(r_{i+2}² − r_{i+1}²)), is a regression over the neighbourhood;
-/// w_i = P/(P + N) with N the noise's variance and P the mean square of the innovations over the neighbourhood less N. Where a
-/// scale shows nothing but noise P is 0 and nothing is added; where it shows shape w is 1 and the larger scales cancel.
-/// Below the smallest scale the bias is extrapolated as r². Cost O(n · scales), about 3 µs a vertex and scale.
+/// before (bias grows as r², so at most (r_{i+1}² − r_i²)/(r_{i+2}² − r_{i+1}²)), is a regression over the
+/// neighbourhood; w_i = P/(P + N) with N the noise's variance and P the mean square of the innovations over the
+/// neighbourhood less N. Where a scale shows nothing but noise P is 0 and nothing is added; where it shows shape w is 1
+/// and the larger scales cancel. Below the smallest scale the bias is extrapolated as r². Cost O(n · scales), about 3
+/// µs a vertex and scale.
 ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence);
 
 }  // namespace integral_invariant

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: statistical choice of the scales. In: offset-free tensors of all scales, noise. Out: tensor, standard error and
-// radius of every vertex. Cost: O(n · scales). Source: docs/method.md §4, docs/accuracy.md.
+// Stage 3: statistical choice of the scales. In: offset-free tensors of all scales, noise. Out: tensor, standard error
+// and radius of every vertex. Cost: O(n · scales). Source: docs/method.md §4, docs/accuracy.md.
 #include "integral_invariant/radius/statistical.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "integral_invariant/curvature/bias.h"
+#include "integral_invariant/curvature/offset_free.h"
+#include "integral_invariant/curvature/vertex_fit.h"
 #include "integral_invariant/radius/scale_chain.h"
+#include "integral_invariant/radius/vertex_step.h"
 #include "integral_invariant/radius/whole_balls.h"
 
 namespace integral_invariant {
@@ -43,25 +46,82 @@ struct Signals {
   Signal mean, deviator, normal;
 };
 
-Signals make_signals(const TensorField& tensors, const std::vector<Frame>& frames, Execution& execution)
+/// A tensor as its vertex's frame sees it.
+struct Components {
+  double mean;
+  std::array<double, 2> deviator, normal;
+};
+
+Components components_of(const CurvatureTensor& t, const Frame& f)
+{
+  const Vec3 a = turned(f.u, f.normal, t.normal), b = turned(f.v, f.normal, t.normal), kb = t.k * b;
+  const double aa = quadratic_form(t.k, a), bb = dot(b, kb);
+  return {(aa + bb) / 2, {(aa - bb) / 2, dot(a, kb)}, {dot(t.normal, f.u), dot(t.normal, f.v)}};
+}
+
+Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const std::vector<Frame>& frames,
+                     const Noise& noise, Execution& execution)
 {
   const std::size_t n = frames.size(), scales = tensors.radii().size();
-  Signals s{{1, true, disc_variance::mean_curvature, 6, {}},
-            {2, true, disc_variance::deviator, 6, {}},
-            {2, false, disc_variance::normal, 4, {}}};
-  for (Signal* signal : {&s.mean, &s.deviator, &s.normal}) signal->values.resize(n * scales);
+  Signals s{{1, {}, {}}, {2, {}, {}}, {2, {}, {}}};
+  for (Signal* signal : {&s.mean, &s.deviator, &s.normal}) {
+    signal->values.resize(n * scales);
+    signal->noise.resize(n * scales);
+  }
   parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v)
       for (std::size_t i = 0; i < scales; ++i) {
-        const CurvatureTensor t = tensors.at_scale(v, int(i));
-        const Frame& f = frames[v];
-        const Vec3 a = turned(f.u, f.normal, t.normal), b = turned(f.v, f.normal, t.normal), kb = t.k * b;
-        const double aa = quadratic_form(t.k, a), bb = dot(b, kb);
-        s.mean.values[v * scales + i] = {float((aa + bb) / 2), 0};
-        s.deviator.values[v * scales + i] = {float((aa - bb) / 2), float(dot(a, kb))};
-        s.normal.values[v * scales + i] = {float(dot(t.normal, f.u)), float(dot(t.normal, f.v))};
+        const std::size_t place = v * scales + i;
+        const Components c = components_of(tensors.at_scale(v, int(i)), frames[v]);
+        s.mean.values[place] = {float(c.mean), 0};
+        s.deviator.values[place] = {float(c.deviator[0]), float(c.deviator[1])};
+        s.normal.values[place] = {float(c.normal[0]), float(c.normal[1])};
+        if (balls.origin[place] == Origin::vertices) {
+          const std::array<float, 3>& variance = balls.variance[place];
+          const float square = float(noise.sigma[v] * noise.sigma[v]);
+          s.mean.noise[place] = variance[0] * square;
+          s.deviator.noise[place] = variance[1] * square;
+          s.normal.noise[place] = variance[2] * square;
+          continue;
+        }
+        const double r2 = tensors.radii()[i] * tensors.radii()[i], density = noise.density[v];
+        const double flat = noise.flatness[v] * noise.flatness[v] / (r2 * r2 * r2 * r2);
+        s.mean.noise[place] = float(disc_variance::mean_curvature * density / (r2 * r2 * r2) + flat);
+        s.deviator.noise[place] = float(disc_variance::deviator * density / (r2 * r2 * r2) + flat);
+        s.normal.noise[place] = float(disc_variance::normal * density / (r2 * r2));
       }
   }, 0.2, 0.3);
+  return s;
+}
+
+struct FittedSignals {
+  FittedSignal mean, deviator, normal;
+};
+
+FittedSignals make_fitted_signals(const std::vector<VertexFit>& fits, const std::vector<Frame>& frames,
+                                  const Noise& noise)
+{
+  constexpr double evident_residual = 6, least_variance = 1e-20;
+  const std::size_t n = fits.size();
+  FittedSignals s{{1, {}, {}}, {2, {}, {}}, {2, {}, {}}};
+  for (FittedSignal* signal : {&s.mean, &s.deviator, &s.normal}) {
+    signal->values.resize(n);
+    signal->noise.assign(n, INFINITY);
+  }
+  for (std::size_t v = 0; v < n; ++v) {
+    const VertexFit& fit = fits[v];
+    if (!(fit.tensor.confidence > 0)) continue;
+    const Components c = components_of(fit.tensor, frames[v]);
+    double variance = noise.sigma[v] * noise.sigma[v];
+    if (fit.residual > evident_residual * variance) variance = fit.residual;
+    variance = std::max(variance, least_variance);
+    s.mean.values[v] = {c.mean, 0};
+    s.deviator.values[v] = c.deviator;
+    s.normal.values[v] = c.normal;
+    s.mean.noise[v] = fit.mean_variance * variance;
+    s.deviator.noise[v] = fit.deviator_variance * variance;
+    s.normal.noise[v] = fit.normal_variance * variance;
+  }
   return s;
 }
 
@@ -92,23 +152,22 @@ CurvatureTensor assemble(const Frame& f, double mean, const std::array<double, 2
 
 }  // namespace
 
-StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const Noise& noise,
-                                    Estimator estimator, Execution& execution)
+StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<VertexFit>& fits,
+                                    const Noise& noise, Estimator estimator, Execution& execution)
 {
   const std::size_t n = surface.vertex_count();
   const std::vector<double>& radii = tensors.radii();
   const bool removes_bias = estimator == Estimator::bias_free;
   if (removes_bias) remove_own_bias(tensors, noise, execution);
-  const WholeBalls balls = find_whole_balls(surface, tensors, execution);
+  const WholeBalls balls = find_whole_balls(surface, noise, removes_bias, tensors, execution);
 
   std::vector<Frame> frames(n);
   std::vector<double> least_radius(n);
-  constexpr double least_radius_over_sigma = 6;
   for (std::size_t v = 0; v < n; ++v) {
     frames[v] = frame_of(v, tensors, balls);
     least_radius[v] = least_radius_over_sigma * noise.sigma[v];
   }
-  const Signals signals = make_signals(tensors, frames, execution);
+  const Signals signals = make_signals(tensors, balls, frames, noise, execution);
 
   constexpr double pool_over_radius = 2, least_pool = 8;
   std::vector<GridPool> pools;
@@ -116,20 +175,29 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
     pools.emplace_back(surface.positions(), std::max(least_pool, pool_over_radius * radii[i + 1]));
     execution.report(0.3 + 0.2 * double(i) / double(radii.size()));
   }
-  const ScaleEvidence evidence{radii, balls, noise.density, noise.flatness, least_radius, pools, removes_bias};
-  const ChainResult mean = run_scale_chain(signals.mean, evidence);
+  const ScaleEvidence evidence{radii, balls, least_radius, pools, removes_bias};
+  ChainResult mean = run_scale_chain(signals.mean, evidence);
   execution.report(0.65);
-  const ChainResult deviator = run_scale_chain(signals.deviator, evidence);
+  ChainResult deviator = run_scale_chain(signals.deviator, evidence);
   execution.report(0.8);
-  const ChainResult normal = run_scale_chain(signals.normal, evidence);
+  ChainResult normal = run_scale_chain(signals.normal, evidence);
   execution.report(0.95);
 
+  if (removes_bias) {
+    const FittedSignals fitted = make_fitted_signals(fits, frames, noise);
+    add_vertex_step(fitted.mean, pools.front(), mean);
+    add_vertex_step(fitted.deviator, pools.front(), deviator);
+    add_vertex_step(fitted.normal, pools.front(), normal);
+  }
+  // Measured: variances are first order in the noise; slopes of strong noise make the errors larger.
+  constexpr double second_order = 1.5;
   StatisticalCurvature result;
   result.tensor.resize(n);
   for (std::size_t v = 0; v < n; ++v) {
     result.tensor[v] = assemble(frames[v], mean.value[v][0], deviator.value[v], normal.value[v]);
     result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
-    result.standard_error.push_back(std::sqrt(std::max(0.0, mean.variance[v] + deviator.variance[v])));
+    const double variance = std::max(0.0, mean.variance[v] + deviator.variance[v]);
+    result.standard_error.push_back(std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v])));
   }
   result.radius = mean.radius;
   return result;

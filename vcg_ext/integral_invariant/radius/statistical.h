@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "integral_invariant/curvature/scale_blend.h"
+#include "integral_invariant/curvature/vertex_fit.h"
 #include "integral_invariant/parameters.h"
 #include "integral_invariant/radius/noise.h"
 #include "integral_invariant/support/execution.h"
@@ -20,9 +21,9 @@ struct StatisticalCurvature {
 };
 
 /// Mean curvature, deviator and normal each go through a scale chain of their own (scale_chain.h): they have different
-/// noise and different bias. `tensors` are offset-free; with Estimator::bias_free they lose their own bias first, and scales
-/// predict each other. Changes `tensors`. Cost O(n · scales), about 15 µs a vertex and scale.
-StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const Noise& noise,
-                                    Estimator estimator, Execution& execution);
+/// noise and different bias. `tensors` are offset-free; with Estimator::bias_free they lose their own bias first, and
+/// scales predict each other. Changes `tensors`. Cost O(n · scales), about 15 µs a vertex and scale.
+StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<VertexFit>& fits,
+                                    const Noise& noise, Estimator estimator, Execution& execution);
 
 }  // namespace integral_invariant

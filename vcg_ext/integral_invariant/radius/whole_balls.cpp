@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 3: whole balls. In: tensors and confidences of all scales. Out: origin of each tensor, largest scale of each vertex.
-// Cost: 0.1 µs a tensor; 5 µs for each scale at which any ball is cut. Source: docs/accuracy.md.
+// Stage 3: whole balls. In: tensors and confidences of all scales. Out: origin of each tensor, largest scale of
+// each vertex.
+// Cost: 0.1 µs a tensor; 50 µs a vertex whose largest balls are cut. Source: docs/accuracy.md.
 #include "integral_invariant/radius/whole_balls.h"
 
-#include "integral_invariant/support/grid_pool.h"
+#include <algorithm>
+#include <cmath>
+
+#include "integral_invariant/curvature/bias.h"
+#include "integral_invariant/curvature/vertex_fit.h"
 
 namespace integral_invariant {
 
@@ -11,95 +16,149 @@ namespace {
 
 constexpr double least_confidence = 0.95;
 
-/// Averages of whole balls around a vertex: weight, K (6), n − K p (3).
-using Row = std::array<double, 10>;
-
-Row row_of(const CurvatureTensor& t, const Vec3& place)
+/// Sums of the area vectors of each vertex's triangles: over a patch they depend on its rim alone, not on the noise inside.
+std::vector<Vec3> area_vectors(const Surface& surface)
 {
-  const Symmetric3& k = t.k;
-  const Vec3 normal_at_origin = t.normal - k * place;
-  return {1, k.xx, k.xy, k.xz, k.yy, k.yz, k.zz, normal_at_origin.x, normal_at_origin.y, normal_at_origin.z};
+  std::vector<Vec3> areas(surface.vertex_count());
+  const std::vector<Vec3>& p = surface.positions();
+  for (const Triangle& t : surface.triangles())
+    for (const int v : t) areas[v] += cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+  return areas;
 }
 
-CurvatureTensor carried_to(const Vec3& place, const Row& sums, const Vec3& fallback)
+Vec3 area_normal(std::size_t v, const Surface& surface, const std::vector<Vec3>& areas)
 {
-  const double w = 1 / sums[0];
-  const Symmetric3 k{sums[1] * w, sums[2] * w, sums[3] * w, sums[4] * w, sums[5] * w, sums[6] * w};
-  const Vec3 n = normalized(Vec3{sums[7] * w, sums[8] * w, sums[9] * w} + k * place, fallback);
-  return {tangential_part(k, n), n, least_confidence};
+  Vec3 sum = areas[v];
+  for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
+    sum += areas[surface.neighbours()[e]];
+  return normalized(sum);
 }
 
-void fill_scale(const Surface& surface, int scale, TensorField& tensors, WholeBalls& balls)
+bool has_cut_ball(std::size_t v, const Surface& surface, const WholeBalls& balls, std::size_t scales)
+{
+  if (!surface.is_referenced(v)) return false;
+  for (std::size_t i = 0; i < scales; ++i)
+    if (balls.origin[v * scales + i] == Origin::none) return true;
+  return false;
+}
+
+void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool removes_bias, TensorField& tensors, WholeBalls& balls)
+{
+  constexpr std::size_t usual_scale = 3;
+  constexpr double least_fit_radius = 2.5;
+  const std::vector<double>& radii = tensors.radii();
+  const std::size_t usual = std::min(usual_scale, radii.size() - 1);
+  const VertexFit rough = fitter.discs(v, normal, {radii[usual]}).front();
+  if (rough.tensor.confidence > 0) normal = rough.tensor.normal;
+  const std::vector<VertexFit>& fits = fitter.discs(v, normal, radii);
+  bool has_any = balls.origin[v * radii.size()] == Origin::own;
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const std::size_t place = v * radii.size() + i;
+    // Half a disc of two rows of vertices leaves a quadric all but free.
+    if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius || !(fits[i].tensor.confidence > 0)) continue;
+    const CurvatureTensor t = removes_bias ? without_graph_bias(fits[i].tensor, radii[i]) : fits[i].tensor;
+    tensors.set(v, int(i), {t.k, t.normal, least_confidence});
+    balls.origin[place] = Origin::vertices;
+    has_any = true;
+    balls.variance[place] = {float(fits[i].mean_variance), float(fits[i].deviator_variance),
+                             float(fits[i].normal_variance)};
+  }
+  if (has_any) return;
+  // Where all discs are too small or turn away, there are the nearest vertices.
+  const VertexFit nearest = fitter.nearest(v, normal);
+  if (!(nearest.tensor.confidence > 0)) return;
+  tensors.set(v, 0, {nearest.tensor.k, nearest.tensor.normal, least_confidence});
+  balls.origin[v * radii.size()] = Origin::vertices;
+  balls.variance[v * radii.size()] = {float(nearest.mean_variance), float(nearest.deviator_variance),
+                                      float(nearest.normal_variance)};
+}
+
+void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& tensors, WholeBalls& balls,
+                       Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
-  std::vector<Row> rows(n, Row{});
-  bool is_complete = true;
-  for (std::size_t v = 0; v < n; ++v) {
-    if (!surface.is_referenced(v)) continue;
-    if (balls.origin[v * scales + scale] == Origin::own)
-      rows[v] = row_of(tensors.at_scale(v, scale), surface.positions()[v]);
-    else
-      is_complete = false;
-  }
-  if (is_complete) return;
-
-  constexpr double least_weight = 0.05;  // of one whole ball at the very place
-  const auto sums = GridPool(surface.positions(), tensors.radii()[scale]).sums(rows);
-  for (std::size_t v = 0; v < n; ++v) {
-    Origin& origin = balls.origin[v * scales + scale];
-    if (origin == Origin::own || sums[v][0] < least_weight) continue;
-    origin = Origin::neighbours;
-    tensors.set(v, scale, carried_to(surface.positions()[v], sums[v], tensors.at_scale(v, scale).normal));
-  }
+  std::vector<std::uint32_t> cut;
+  for (std::size_t v = 0; v < n; ++v)
+    if (has_cut_ball(v, surface, balls, scales)) cut.push_back(std::uint32_t(v));
+  if (cut.empty()) return;
+  balls.variance.resize(n * scales);
+  const std::vector<Vec3> areas = area_vectors(surface);
+  parallel_for(cut.size(), 64, execution, [&](std::size_t begin, std::size_t end, int) {
+    VertexFitter fitter(surface);
+    for (std::size_t i = begin; i < end; ++i) fill_from_vertices(cut[i], area_normal(cut[i], surface, areas), fitter, removes_bias, tensors, balls);
+  }, 0.15, 0.2);
 }
 
-/// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet.
-void bound_curvature(std::size_t v, TensorField& tensors)
+/// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet,
+/// which larger balls meet as well. Balls that are small against the noise read anything, and are bounded.
+void find_own_balls(std::size_t v, double sigma, TensorField& tensors, WholeBalls& balls)
 {
   constexpr double largest_kr = 2;
-  for (int i = 0; i < int(tensors.radii().size()); ++i) {
-    const CurvatureTensor t = tensors.at_scale(v, i);
-    const double kr = largest_absolute_curvature(t) * tensors.radii()[std::size_t(i)];
-    if (kr > largest_kr) tensors.set(v, i, {t.k * (largest_kr / kr), t.normal, t.confidence});
+  const std::vector<double>& radii = tensors.radii();
+  bool meets_other_sheet = false;
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const CurvatureTensor t = tensors.at_scale(v, int(i));
+    const double kr = largest_absolute_curvature(t) * radii[i];
+    if (kr > largest_kr) {
+      tensors.set(v, int(i), {t.k * (largest_kr / kr), t.normal, t.confidence});
+      meets_other_sheet = meets_other_sheet || radii[i] > least_radius_over_sigma * sigma;
+    }
+    if (t.confidence >= least_confidence && !meets_other_sheet) balls.origin[v * radii.size() + i] = Origin::own;
   }
 }
 
-int largest_scale(std::size_t v, const TensorField& tensors, const WholeBalls& balls)
+/// Three standard deviations of what a fit to vertices says: its curvature, its normal.
+struct Doubt {
+  double curvature = 0, normal = 0;
+};
+
+Doubt doubt_of(std::size_t place, double sigma, const WholeBalls& balls)
+{
+  if (balls.origin[place] != Origin::vertices) return {};
+  const std::array<float, 3>& variance = balls.variance[place];
+  return {3 * sigma * std::sqrt(double(variance[0]) + double(variance[1])),
+          3 * sigma * std::sqrt(2 * double(variance[2]))};
+}
+
+int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const WholeBalls& balls)
 {
   constexpr double largest_kr = 1.3, least_cosine = 0.7, unchecked_radius = 2.5;
   const std::vector<double>& radii = tensors.radii();
   int largest = 0;
-  Vec3 normal = tensors.at_scale(v, 0).normal;
+  bool has_normal = false;
+  Vec3 normal;
   for (int i = 0; i < int(radii.size()); ++i) {
     if (balls.origin[v * radii.size() + i] == Origin::none) continue;
     const CurvatureTensor t = tensors.at_scale(v, i);
     // The smallest balls see the noise of a few triangles, which says nothing about larger ones.
-    if (radii[i] > unchecked_radius &&
-        (largest_absolute_curvature(t) * radii[i] > largest_kr || dot(t.normal, normal) < least_cosine))
+    const Doubt doubt = doubt_of(v * radii.size() + i, sigma, balls);
+    const bool is_checked = radii[i] > unchecked_radius;
+    if (is_checked && has_normal && ((largest_absolute_curvature(t) - doubt.curvature) * radii[i] > largest_kr ||
+                                        dot(t.normal, normal) + doubt.normal < least_cosine))
       break;
     largest = i;
+    if (!is_checked && balls.origin[v * radii.size() + i] == Origin::vertices) continue;
     normal = t.normal;
+    has_normal = true;
   }
   return largest;
 }
 
 }  // namespace
 
-WholeBalls find_whole_balls(const Surface& surface, TensorField& tensors, Execution& execution)
+WholeBalls find_whole_balls(const Surface& surface, const Noise& noise, bool removes_bias, TensorField& tensors,
+                            Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   WholeBalls balls;
   balls.origin.assign(n * scales, Origin::none);
   balls.largest.resize(n);
   parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v) bound_curvature(v, tensors);
+    for (std::size_t v = begin; v < end; ++v) find_own_balls(v, noise.sigma[v], tensors, balls);
   }, 0.1, 0.15);
-  for (std::size_t v = 0; v < n; ++v)
-    for (std::size_t i = 0; i < scales; ++i)
-      if (tensors.at_scale(v, int(i)).confidence >= least_confidence) balls.origin[v * scales + i] = Origin::own;
-  for (std::size_t i = 0; i < scales; ++i) fill_scale(surface, int(i), tensors, balls);
+  replace_cut_balls(surface, removes_bias, tensors, balls, execution);
   parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, balls);
+    for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, noise.sigma[v], balls);
   }, 0.15, 0.2);
   return balls;
 }

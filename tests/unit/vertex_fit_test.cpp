@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits of polynomials to vertices, on graphs that are such polynomials and on noise of known strength.
+#include "integral_invariant/curvature/vertex_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace integral_invariant;
+
+namespace {
+
+/// Graph over a square of (2 side + 1)² vertices, a third of a unit apart and jittered; the solid is below.
+TriangleMesh graph(int side, const std::function<double(double, double)>& height, double noise = 0)
+{
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> jitter(-0.1, 0.1);
+  std::normal_distribution<double> gauss(0, 1);
+  TriangleMesh mesh;
+  const int row = 2 * side + 1;
+  for (int j = -side; j <= side; ++j)
+    for (int i = -side; i <= side; ++i) {
+      const bool is_centre = i == 0 && j == 0;
+      const double x = (i + (is_centre ? 0 : jitter(generator))) / 3, y = (j + (is_centre ? 0 : jitter(generator))) / 3;
+      mesh.positions.push_back({x, y, height(x, y) + noise * gauss(generator)});
+    }
+  for (int j = 0; j + 1 < row; ++j)
+    for (int i = 0; i + 1 < row; ++i) {
+      const int a = j * row + i;
+      mesh.triangles.push_back({a, a + 1, a + row + 1});
+      mesh.triangles.push_back({a, a + row + 1, a + row});
+    }
+  return mesh;
+}
+
+std::size_t centre_of(const Surface& surface) { return (surface.vertex_count() - 1) / 2; }
+
+}  // namespace
+
+TEST(VertexFit, PolynomialOfDegreeFourIsExact)
+{
+  const auto height = [](double x, double y) {
+    return 0.1 * x - 0.2 * y - 0.3 * x * x + 0.1 * x * y + 0.05 * y * y + 0.2 * x * x * y - 0.1 * x * y * y * y;
+  };
+  const Surface surface(graph(6, height));
+  const VertexFit fit = VertexFitter(surface).nearest(centre_of(surface), {0, 0, 1});
+  // Of the graph at the origin: slopes p, q and second derivatives a, b, c.
+  const double p = 0.1, q = -0.2, a = -0.6, b = 0.1, c = 0.1, stretch2 = 1 + p * p + q * q;
+  const double mean = -((1 + q * q) * a - 2 * p * q * b + (1 + p * p) * c) / (2 * std::pow(stretch2, 1.5));
+  const double gauss = (a * c - b * b) / (stretch2 * stretch2);
+  const PrincipalCurvatures k = principal_curvatures(fit.tensor);
+  EXPECT_NEAR((k.kappa_max + k.kappa_min) / (2 * surface.unit()), mean, 1e-9);
+  EXPECT_NEAR(k.kappa_max * k.kappa_min / (surface.unit() * surface.unit()), gauss, 1e-9);
+  EXPECT_NEAR(norm(cross(fit.tensor.normal, normalized({-p, -q, 1}))), 0, 1e-9);
+  EXPECT_NEAR(fit.residual, 0, 1e-18);
+}
+
+TEST(VertexFit, AnyRoughNormalGivesTheSameCurvatureOnASmoothSurface)
+{
+  const Surface surface(graph(6, [](double x, double y) { return -0.05 * (x * x + y * y); }));
+  VertexFitter fitter(surface);
+  const VertexFit upright = fitter.nearest(centre_of(surface), {0, 0, 1});
+  const VertexFit tilted = fitter.nearest(centre_of(surface), normalized({0.2, -0.1, 1}));
+  EXPECT_NEAR(upright.tensor.k.trace(), tilted.tensor.k.trace(), 1e-4);
+  EXPECT_NEAR(norm(cross(upright.tensor.normal, tilted.tensor.normal)), 0, 1e-4);
+}
+
+TEST(VertexFit, ResidualIsTheNoiseAndVariancesAreThoseOfTheFit)
+{
+  const double sigma = 0.02;
+  const Surface surface(graph(40, [](double, double) { return 0.0; }, sigma));
+  VertexFitter fitter(surface);
+  double residual = 0, squares = 0, variance = 0, count = 0;
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
+    const Vec3& p = surface.positions()[v];
+    if (std::max(std::abs(p.x), std::abs(p.y)) * surface.unit() > 10) continue;
+    const VertexFit fit = fitter.nearest(v, {0, 0, 1});
+    residual += fit.residual;
+    squares += std::pow(fit.tensor.k.trace() / 2, 2);
+    variance += fit.mean_variance;
+    ++count;
+  }
+  const double expected = std::pow(sigma / surface.unit(), 2);
+  EXPECT_NEAR(residual / count, expected, 0.08 * expected);
+  EXPECT_NEAR(squares / count, variance / count * expected, 0.15 * squares / count);
+}
+
+TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)
+{
+  const Surface surface(graph(12, [](double x, double y) { return -0.02 * x * x + 0.01 * y * y; }));
+  VertexFitter fitter(surface);
+  const std::vector<double> radii{0.5, 3, 6};
+  for (const std::size_t v : {centre_of(surface), centre_of(surface) + 12}) {
+    const std::vector<VertexFit> fits = fitter.discs(v, {0, 0, 1}, radii);
+    EXPECT_EQ(fits[0].tensor.confidence, 0) << "too few vertices";
+    for (int i : {1, 2}) {
+      ASSERT_EQ(fits[i].tensor.confidence, 1);
+      if (v != centre_of(surface)) continue;
+      EXPECT_NEAR(fits[i].tensor.k.trace() / surface.unit(), 0.02, 1e-9);
+    }
+    EXPECT_LT(fits[2].mean_variance, fits[1].mean_variance);
+  }
+  // On the boundary half of the disc is left, and the fit less sure.
+  const double whole = fitter.discs(centre_of(surface), {0, 0, 1}, radii)[2].mean_variance;
+  EXPECT_GT(fitter.discs(centre_of(surface) + 12, {0, 0, 1}, radii)[2].mean_variance, 3 * whole);
+}
+
+TEST(VertexFit, WithoutEnoughVerticesThereIsNoFit)
+{
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  const Surface surface(mesh);
+  EXPECT_EQ(VertexFitter(surface).nearest(0, normalized({-1, -1, -1})).tensor.confidence, 0);
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 2: least squares fit of a height over a tangent plane by a polynomial, and the curvature of the graph.
+#pragma once
+
+#include <array>
+
+#include "integral_invariant/curvature/tensor.h"
+
+namespace integral_invariant {
+
+/// Monomials x^i y^j by degree: 1; x, y; x², xy, y²; ... A leading part of them makes a polynomial of lower degree.
+inline constexpr int largest_degree = 4;
+constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 2) / 2; }
+using Coefficients = std::array<double, coefficient_count(largest_degree)>;
+void monomials(double x, double y, int degree, Coefficients& result);
+
+/// Normal equations of a weighted least squares fit.
+class HeightSystem {
+ public:
+  void add(const Coefficients& monomials, double height, double weight, int degree);
+  /// Factors the system of the largest degree, up to the one given, that the places determine, and returns it; 0 where
+  /// they leave even a plane open. add() cannot follow.
+  int factor(int degree);
+  /// (AᵀWA)⁻¹ b, and (AᵀWA)⁻¹ AᵀW h for the heights. \pre factor() returned at least `degree`
+  void solve(Coefficients& b, int degree) const;
+  Coefficients solution(int degree) const;
+  /// bᵀ (AᵀWA)⁻¹ b: with weights of 1, the variance of bᵀ·coefficients under heights of independent noise of variance
+  /// 1.
+  double inverse_form(Coefficients b, int degree) const;
+
+ private:
+  void forward(Coefficients& x, int count) const;
+
+  std::array<Coefficients, coefficient_count(largest_degree)> a_{};  ///< lower triangle, then its Cholesky factor
+  Coefficients b_{};
+};
+
+/// Parts of the curvature that depend linearly on the coefficients where the graph is level: what multiplies them.
+namespace height_part {
+inline constexpr Coefficients mean{0, 0, 0, 1, 0, 1}, deviator_a{0, 0, 0, 1, 0, -1}, deviator_b{0, 0, 0, 0, 1};
+inline constexpr Coefficients slope_x{0, 1}, slope_y{0, 0, 1};
+}  // namespace height_part
+
+/// Orthonormal frame in which heights are measured along `normal`.
+struct HeightFrame {
+  explicit HeightFrame(const Vec3& up);
+  Vec3 normal, x, y;
+};
+
+/// Curvature tensor and normal of the graph over the frame's origin; `unit` is the length that x and y were divided by.
+CurvatureTensor graph_curvature(const Coefficients& heights, const HeightFrame& frame, double unit);
+
+}  // namespace integral_invariant

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 2: polynomial fits to vertices. In: surface, rough normals. Out: tensors, their variances, residuals.
+// Cost: about 10 µs a vertex and fit. Source: docs/accuracy.md.
+#include "integral_invariant/curvature/vertex_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral_invariant {
+
+namespace {
+
+constexpr int nearest_degree = 4, disc_degree = 2, least_degree = 2;
+
+/// Variances of what a fit says, from those of its coefficients, which `variance_of` gives.
+template <class VarianceOf>
+void set_variances(const VarianceOf& variance_of, double unit, VertexFit& fit)
+{
+  const double unit2 = unit * unit, unit4 = unit2 * unit2;
+  fit.mean_variance = variance_of(0) / unit4;
+  fit.deviator_variance = (variance_of(1) + variance_of(2)) / (2 * unit4);
+  fit.normal_variance = (variance_of(3) + variance_of(4)) / (2 * unit2);
+}
+
+constexpr const Coefficients* parts[] = {&height_part::mean, &height_part::deviator_a, &height_part::deviator_b,
+                                         &height_part::slope_x, &height_part::slope_y};
+
+}  // namespace
+
+VertexFitter::VertexFitter(const Surface& surface) : surface_(surface), seen_(surface.vertex_count(), 0) {}
+
+VertexFitter::Place VertexFitter::place_of(std::uint32_t u, const Vec3& centre, const HeightFrame& frame) const
+{
+  const Vec3 d = surface_.positions()[u] - centre;
+  const double x = dot(d, frame.x), y = dot(d, frame.y);
+  return {x * x + y * y, x, y, dot(d, frame.normal)};
+}
+
+void VertexFitter::start_at(std::size_t v)
+{
+  ++stamp_;
+  seen_[v] = stamp_;
+  queue_.assign(1, std::uint32_t(v));
+  places_.clear();
+}
+
+/// The vertex, its neighbours and their neighbours: on a surface with creases more is not better.
+void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
+{
+  constexpr int rings = 2;
+  const Vec3& centre = surface_.positions()[v];
+  start_at(v);
+  std::size_t next = 0;
+  for (int ring = 0; ring <= rings; ++ring)
+    for (const std::size_t end = queue_.size(); next < end; ++next) {
+      const std::uint32_t u = queue_[next];
+      places_.push_back(place_of(u, centre, frame));
+      if (ring == rings) continue;
+      for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e) {
+        const std::uint32_t w = surface_.neighbours()[e];
+        if (seen_[w] == stamp_) continue;
+        seen_[w] = stamp_;
+        queue_.push_back(w);
+      }
+    }
+}
+
+void VertexFitter::walk_disc(std::size_t v, const HeightFrame& frame, double radius)
+{
+  const Vec3& centre = surface_.positions()[v];
+  start_at(v);
+  places_.push_back({0, 0, 0, 0});
+  for (std::size_t next = 0; next < queue_.size(); ++next) {
+    const std::uint32_t u = queue_[next];
+    for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e) {
+      const std::uint32_t w = surface_.neighbours()[e];
+      if (seen_[w] == stamp_) continue;
+      seen_[w] = stamp_;
+      const Place place = place_of(w, centre, frame);
+      // Heights count too: where the surface turns away it is no graph.
+      if (place.squared_distance + place.height * place.height > radius * radius) continue;
+      places_.push_back(place);
+      queue_.push_back(w);
+    }
+  }
+}
+
+VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
+{
+  constexpr std::size_t usual_count = 20;
+  constexpr double weight_fall = 1.5;  // the farthest vertex weighs exp(−1.5)
+  const HeightFrame frame(normal);
+  walk_rings(v, frame);
+  const std::size_t count = std::min(places_.size(), usual_count);
+  std::nth_element(places_.begin(), places_.begin() + std::ptrdiff_t(count - 1), places_.end(),
+                   [](const Place& p, const Place& q) { return p.squared_distance < q.squared_distance; });
+  places_.resize(count);
+  const double squared_unit = places_.back().squared_distance, unit = std::sqrt(squared_unit);
+  if (!(unit > 0)) return {};
+  const auto weight_of = [&](const Place& p) { return std::exp(-weight_fall * p.squared_distance / squared_unit); };
+
+  int degree = nearest_degree;
+  while (degree >= least_degree && int(count) <= coefficient_count(degree)) --degree;
+  if (degree < least_degree) return {};
+  HeightSystem system;
+  Coefficients m{};
+  for (const Place& p : places_) {
+    monomials(p.x / unit, p.y / unit, degree, m);
+    system.add(m, p.height, weight_of(p), degree);
+  }
+  degree = system.factor(degree);
+  if (degree < least_degree) return {};
+  const Coefficients c = system.solution(degree);
+  Coefficients influence[5];
+  for (int k = 0; k < 5; ++k) system.solve(influence[k] = *parts[k], degree);
+
+  const auto value = [n = coefficient_count(degree), &m](const Coefficients& a) {
+    double sum = 0;
+    for (int i = 0; i < n; ++i) sum += a[i] * m[i];
+    return sum;
+  };
+  double squares = 0, freedom = 0, variance[5] = {};
+  for (const Place& p : places_) {
+    monomials(p.x / unit, p.y / unit, degree, m);
+    const double w = weight_of(p), off = p.height - value(c);
+    squares += w * off * off;
+    freedom += w - w * w * system.inverse_form(m, degree);  // E Σ w off² = σ² Σ (w − w² mᵀ(AᵀWA)⁻¹m)
+    for (int k = 0; k < 5; ++k) variance[k] += std::pow(w * value(influence[k]), 2);
+  }
+  VertexFit fit;
+  fit.tensor = graph_curvature(c, frame, unit);
+  set_variances([&](int k) { return variance[k]; }, unit, fit);
+  constexpr double least_freedom = 0.1;
+  if (freedom > least_freedom) fit.residual = squares / freedom;
+  return fit;
+}
+
+const std::vector<VertexFit>& VertexFitter::discs(std::size_t v, const Vec3& normal, const std::vector<double>& radii)
+{
+  constexpr std::size_t least_count = 10;
+  const HeightFrame frame(normal);
+  const double unit = radii.back();
+  walk_disc(v, frame, unit);
+  std::sort(places_.begin(), places_.end(),
+            [](const Place& p, const Place& q) { return p.squared_distance < q.squared_distance; });
+  discs_.assign(radii.size(), {});
+  HeightSystem all;
+  Coefficients m{};
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    for (; used < places_.size() && places_[used].squared_distance <= radii[i] * radii[i]; ++used) {
+      monomials(places_[used].x / unit, places_[used].y / unit, disc_degree, m);
+      all.add(m, places_[used].height, 1, disc_degree);
+    }
+    HeightSystem system = all;
+    if (used < least_count || system.factor(disc_degree) < disc_degree) continue;
+    discs_[i].tensor = graph_curvature(system.solution(disc_degree), frame, unit);
+    set_variances([&](int k) { return system.inverse_form(*parts[k], disc_degree); }, unit, discs_[i]);
+  }
+  return discs_;
+}
+
+Vec3 rough_normal(const TensorField& tensors, std::size_t v)
+{
+  constexpr int usual_scale = 3;
+  constexpr double largest_kr = 0.8;
+  int scale = std::min(usual_scale, int(tensors.radii().size()) - 1);
+  CurvatureTensor t = tensors.at_scale(v, scale);
+  while (scale > 0 && largest_absolute_curvature(t) * tensors.radii()[std::size_t(scale)] > largest_kr)
+    t = tensors.at_scale(v, --scale);
+  if (largest_absolute_curvature(t) * tensors.radii()[std::size_t(scale)] <= largest_kr) return t.normal;
+  return tensors.at_scale(v, std::min(usual_scale, int(tensors.radii().size()) - 1)).normal;
+}
+
+std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution)
+{
+  std::vector<VertexFit> fits(surface.vertex_count());
+  parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int) {
+    VertexFitter fitter(surface);
+    for (std::size_t v = begin; v < end; ++v)
+      if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, rough_normal(tensors, v));
+  });
+  return fits;
+}
+
+}  // namespace integral_invariant

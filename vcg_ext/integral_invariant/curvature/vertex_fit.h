@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 2: curvature tensor of a vertex from the vertices around it, which lie on the surface where flat triangles do
+// not.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "integral_invariant/curvature/height_polynomial.h"
+#include "integral_invariant/curvature/scale_blend.h"
+#include "integral_invariant/support/execution.h"
+#include "integral_invariant/surface.h"
+
+namespace integral_invariant {
+
+/// What a polynomial through the vertices around a vertex says. The variances are those under independent noise along
+/// the normal of variance 1: of H, of either component of K − H I, of either tangential component of the normal.
+struct VertexFit {
+  CurvatureTensor tensor;  ///< confidence 1, or 0 where there were too few vertices
+  double mean_variance = 0, deviator_variance = 0, normal_variance = 0;
+  double residual = -1;    ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
+};
+
+/// Fits around one vertex after the other; holds scratch memory, so one a thread. Neighbours are found along the edges:
+/// other sheets of the surface do not count, and a boundary is nothing special.
+class VertexFitter {
+ public:
+  explicit VertexFitter(const Surface& surface);
+
+  /// A polynomial of degree 4 through the nearest 20 vertices, the nearer the heavier; of lower degree where they are
+  /// few.
+  /// \param normal roughly the surface's normal at v. Cost about 10 µs.
+  VertexFit nearest(std::size_t v, const Vec3& normal);
+
+  /// Quadrics through all vertices within each of `radii` (increasing) in the tangent plane: over a whole disc the same
+  /// as offset_free_measure(), to first order. `residual` is not computed. Cost O(r²), about 50 µs at r = 16 ē.
+  const std::vector<VertexFit>& discs(std::size_t v, const Vec3& normal, const std::vector<double>& radii);
+
+ private:
+  struct Place {
+    double squared_distance, x, y, height;
+  };
+  Place place_of(std::uint32_t u, const Vec3& centre, const HeightFrame& frame) const;
+  void start_at(std::size_t v);
+  void walk_rings(std::size_t v, const HeightFrame& frame);
+  void walk_disc(std::size_t v, const HeightFrame& frame, double radius);
+
+  const Surface& surface_;
+  std::uint32_t stamp_ = 0;
+  std::vector<std::uint32_t> seen_, queue_;
+  std::vector<Place> places_;
+  std::vector<VertexFit> discs_;
+};
+
+/// Normal of the ball of the fourth scale (not the prey of noise), or of the largest under it in which the surface is nearly
+/// a plane.
+Vec3 rough_normal(const TensorField& tensors, std::size_t v);
+
+/// VertexFitter::nearest() at all vertices, about their rough normals.
+std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution);
+
+}  // namespace integral_invariant

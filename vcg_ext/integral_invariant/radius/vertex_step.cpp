@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stage 3: the chain's last step. In: chain result, fits to the vertices. Out: the result with the fits weighed in.
+// Cost: O(n), one average over the neighbourhood. Source: docs/accuracy.md.
+#include "integral_invariant/radius/vertex_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral_invariant {
+
+void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result)
+{
+  constexpr double largest_energy = 25, evident_energy = 12, least_share = 1.5, undeniable_energy = 40;
+  const std::size_t n = fitted.values.size();
+  std::vector<std::array<double, 2>> energies(n);
+  std::vector<double> own(n, 0);
+  for (std::size_t v = 0; v < n; ++v) {
+    energies[v] = {0, 0};
+    if (!std::isfinite(fitted.noise[v])) continue;
+    for (int c = 0; c < fitted.components; ++c) own[v] += std::pow(fitted.values[v][c] - result.value[v][c], 2);
+    own[v] /= fitted.components * fitted.noise[v];
+    energies[v] = {1, std::min(own[v], largest_energy)};
+  }
+  const auto sums = pool.sums(energies);
+  for (std::size_t v = 0; v < n; ++v) {
+    if (!std::isfinite(fitted.noise[v])) continue;
+    double shape = sums[v][1] / sums[v][0] - 1;
+    if (shape < least_share && own[v] < undeniable_energy) continue;
+    shape = std::max(shape, own[v] - evident_energy);
+    const double weight = shape / (shape + 1);
+    for (int c = 0; c < fitted.components; ++c)
+      result.value[v][c] += weight * (fitted.values[v][c] - result.value[v][c]);
+    result.variance[v] = weight * fitted.noise[v];
+  }
+}
+
+}  // namespace integral_invariant
