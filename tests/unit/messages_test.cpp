@@ -147,7 +147,7 @@ std::vector<Action> about_memory()
 {
   const TriangleMesh sphere = icosphere(6);
   return {curvature(sphere, [](Parameters& p) { p.memory_limit_mb = 1; }),
-          curvature(sphere, [](Parameters& p) { p = published_method(), p.scales = 1, p.memory_limit_mb = 7; }),
+          feature(FilterId::signature, [](Request& r) { r.method.scales = 1, r.method.memory_limit_mb = 7; }, sphere),
           feature(FilterId::signature, [](Request& r) { r.method.memory_limit_mb = 1; }, sphere),
           feature(FilterId::principal_directions, [](Request& r) { r.direction.spacing = 0.0005, r.method.memory_limit_mb = 300; }),
           voxels(needle(), 0.11 * average_edge_length(needle()), 30, 10),

@@ -11,6 +11,7 @@ namespace integral_invariant {
 void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result)
 {
   constexpr double largest_energy = 25, evident_energy = 12, least_share = 1.5, undeniable_energy = 40;
+  constexpr double least_noise = 1e-30;  // of fits that are exact: energies stay finite
   const std::size_t n = fitted.values.size();
   std::vector<std::array<double, 2>> energies(n);
   std::vector<double> own(n, 0);
@@ -18,7 +19,7 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
     energies[v] = {0, 0};
     if (!std::isfinite(fitted.noise[v])) continue;
     for (int c = 0; c < fitted.components; ++c) own[v] += std::pow(fitted.values[v][c] - result.value[v][c], 2);
-    own[v] /= fitted.components * fitted.noise[v];
+    own[v] /= fitted.components * (fitted.noise[v] + least_noise);
     energies[v] = {1, std::min(own[v], largest_energy)};
   }
   const auto sums = pool.sums(energies);

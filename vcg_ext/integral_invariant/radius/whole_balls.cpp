@@ -42,6 +42,14 @@ bool has_cut_ball(std::size_t v, const Surface& surface, const WholeBalls& balls
   return false;
 }
 
+/// Points along a line leave a fit free across it, with a variance that single precision does not hold.
+bool is_usable(const VertexFit& fit)
+{
+  constexpr double largest_variance = 1e12;
+  return fit.tensor.confidence > 0 && fit.mean_variance <= largest_variance && fit.deviator_variance <= largest_variance &&
+         fit.normal_variance <= largest_variance;
+}
+
 void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool removes_bias, TensorField& tensors, WholeBalls& balls)
 {
   constexpr std::size_t usual_scale = 3;
@@ -55,7 +63,7 @@ void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool r
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::size_t place = v * radii.size() + i;
     // Half a disc of two rows of vertices leaves a quadric all but free.
-    if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius || !(fits[i].tensor.confidence > 0)) continue;
+    if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius || !is_usable(fits[i])) continue;
     const CurvatureTensor t = removes_bias ? without_graph_bias(fits[i].tensor, radii[i]) : fits[i].tensor;
     tensors.set(v, int(i), {t.k, t.normal, least_confidence});
     balls.origin[place] = Origin::vertices;
@@ -66,7 +74,7 @@ void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool r
   if (has_any) return;
   // Where all discs are too small or turn away, there are the nearest vertices.
   const VertexFit nearest = fitter.nearest(v, normal);
-  if (!(nearest.tensor.confidence > 0)) return;
+  if (!is_usable(nearest)) return;
   tensors.set(v, 0, {nearest.tensor.k, nearest.tensor.normal, least_confidence});
   balls.origin[v * radii.size()] = Origin::vertices;
   balls.variance[v * radii.size()] = {float(nearest.mean_variance), float(nearest.deviator_variance),
