@@ -129,7 +129,8 @@ void curvature_by_evidence(const Surface& surface, OffsetFreeField field, const 
 {
   execution.begin_stage("noise", 83);
   const std::vector<VertexFit> fits = fit_vertices(surface, field.tensors, execution);
-  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit());
+  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(),
+                                     [&] { execution.report(1); });
 
   execution.begin_stage("weighing the scales", 99);
   const StatisticalCurvature best = combine_scales(surface, field.tensors, fits, noise, p.estimator, execution);
@@ -188,8 +189,9 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   require_memory_for_arrays(surface.vertex_count(), scales.size(), parameters.memory_limit_mb);
 
   execution.begin_stage("ball moments", 80);
-  auto engine = make_moment_engine(surface, parameters);
+  auto engine = make_moment_engine(surface, parameters, [&] { execution.report(0); });
   result.engine = engine->description(scales, execution);
+  execution.report(0);
   if (parameters.estimator == Estimator::yang06) {
     const TensorField tensors = tensors_at_all_scales(surface, *engine, scales, execution);
     engine.reset();  // before the arrays of the result: both would be the peak of memory

@@ -7,9 +7,10 @@
 
 namespace integral_invariant {
 
-std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters)
+std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters,
+                                                const BetweenSteps& between_steps)
 {
-  if (parameters.engine == EngineKind::surface_integral) return make_surface_engine(surface, parameters);
+  if (parameters.engine == EngineKind::surface_integral) return make_surface_engine(surface, parameters, between_steps);
   return make_fft_engine(surface, parameters);
 }
 

@@ -43,6 +43,7 @@ class MomentEngine {
 
 /// The engine that `parameters` ask for, prepared for `surface`, which must outlive it.
 /// \throw InputError where the engine cannot work on this surface (it says why and what to do)
-std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters);
+std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters,
+                                                const BetweenSteps& between_steps = {});
 
 }  // namespace integral_invariant

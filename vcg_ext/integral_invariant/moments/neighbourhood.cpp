@@ -25,13 +25,14 @@ Sphere edge_sphere(const SpatialOrder& order, std::size_t index)
 
 }  // namespace
 
-SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense)
-    : order_(order_in_space(surface, merge_dense)),
+SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps)
+    : order_(order_in_space(surface, merge_dense, between_steps)),
       triangles_(order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }),
       free_edges_(order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }),
       is_border_(order_.points.size(), false)
 {
   for (const FreeEdge& edge : order_.free_edges) is_border_[edge.from] = is_border_[edge.to] = true;
+  if (between_steps) between_steps();
   sum_moments();
 }
 

@@ -16,7 +16,7 @@ namespace integral_invariant {
 /// The mesh in spatial order with hierarchies over its triangles and free edges, and the moments of every node.
 class SurfaceTree {
  public:
-  SurfaceTree(const Surface& surface, bool merge_dense);
+  SurfaceTree(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps);
 
   const SpatialOrder& order() const { return order_; }
   const SphereTree& triangles() const { return triangles_; }

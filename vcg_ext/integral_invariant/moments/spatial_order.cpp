@@ -229,12 +229,17 @@ void find_free_edges(SpatialOrder& order)
 
 }  // namespace
 
-SpatialOrder order_in_space(const Surface& surface, bool merge_dense)
+SpatialOrder order_in_space(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps)
 {
+  const auto step = [&] {
+    if (between_steps) between_steps();
+  };
   SpatialOrder order;
   std::vector<std::uint32_t> point_of = merge_places(surface, merge_dense, order);
   order_points(order, point_of);
+  step();
   order_triangles(surface, point_of, order);
+  step();
   find_normals(order);
   find_free_edges(order);
   return order;

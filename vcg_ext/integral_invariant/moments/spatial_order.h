@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/surface.h"
 
 namespace integral_invariant {
@@ -31,6 +32,6 @@ struct SpatialOrder {
 
 /// Cost O(n log n), about 100 bytes a vertex for the result. `merge_dense`: where more than a thousand vertices lie within
 /// an average edge's length, those within 1/32 of it count as one.
-SpatialOrder order_in_space(const Surface& surface, bool merge_dense);
+SpatialOrder order_in_space(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps);
 
 }  // namespace integral_invariant

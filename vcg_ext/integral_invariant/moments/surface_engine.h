@@ -15,6 +15,7 @@ namespace integral_invariant {
 
 /// The engine prepared for `surface`; takes `exactness`, `same_sheet` and `memory_limit_mb` of the parameters.
 /// \throw MemoryError
-std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters);
+std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters,
+                                                 const BetweenSteps& between_steps = {});
 
 }  // namespace integral_invariant

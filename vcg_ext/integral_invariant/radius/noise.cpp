@@ -104,7 +104,7 @@ std::vector<double> residual_variance(const std::vector<VertexFit>& fits, const 
 }  // namespace
 
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
-                     const std::vector<VertexFit>& fits, double known_sigma)
+                     const std::vector<VertexFit>& fits, double known_sigma, const BetweenSteps& between_steps)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   const OffsetScales s = offset_scales(tensors.radii());
@@ -134,7 +134,9 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   }
   const GridPool pool(surface.positions(), pool_cell);
   const auto pooled_area = pool.sums(local);
+  if (between_steps) between_steps();
   const std::vector<double> variance = residual_variance(fits, pool);
+  if (between_steps) between_steps();
 
   // Vertices without fits around get the average of the others.
   double variance_sum = 0, count = 0;

@@ -26,6 +26,7 @@ struct Noise {
 /// instead of σ.
 /// \pre at least two scales. Cost O(n).
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
-                     const std::vector<VertexFit>& fits, double known_sigma);
+                     const std::vector<VertexFit>& fits, double known_sigma,
+                     const BetweenSteps& between_steps = {});
 
 }  // namespace integral_invariant

@@ -14,8 +14,8 @@ namespace integral_invariant {
 
 namespace {
 
-constexpr auto report_interval = std::chrono::milliseconds(100);
-constexpr auto poll_interval = std::chrono::milliseconds(50);
+constexpr auto report_interval = std::chrono::milliseconds(60);
+constexpr auto poll_interval = std::chrono::milliseconds(30);
 
 /// Blocks handed out in order to whoever asks, until none is left or somebody failed.
 class BlockQueue {

@@ -10,6 +10,9 @@
 
 namespace integral_invariant {
 
+/// Called between the steps of longer work on one thread; ends it by throwing. May be empty.
+using BetweenSteps = std::function<void()>;
+
 /// Receives the percentage done (0 to 100) and the name of the stage; false asks to stop.
 using ProgressCallback = std::function<bool(int percent, const char* stage)>;
 
