@@ -53,8 +53,8 @@ compute_figure_data() {
   all_radii armadillo_features "$armadillo" 2 8 --filter select_ridges_and_valleys_by_curvature high_percentile=92 \
     low_percentile=82
   once armadillo_crest "$armadillo" --filter create_crest_lines_layer "${BY_DEFAULT[@]}" minimum_strength=3
-  once armadillo_lines "$armadillo" --filter create_principal_direction_layer minimal=true "${BY_DEFAULT[@]}" \
-    "spacing=$(in_edges "$armadillo" 2.5)"
+  once armadillo_lines "$armadillo" --filter create_principal_direction_layer minimal=true \
+    "r_min=$(in_edges "$armadillo" 2)" "r_max=$(in_edges "$armadillo" 8)" "spacing=$(in_edges "$armadillo" 2.5)"
   all_radii lucy "$lucy" 2 8
   make_buddha
   all_radii buddha_noisy_curvature "$data/buddha_noisy.ply" 3 10
