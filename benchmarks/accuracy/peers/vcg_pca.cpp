@@ -7,6 +7,8 @@
 
 namespace accuracy {
 
+using namespace peers;
+
 namespace {
 
 /// With the parameters that MeshLab gives it, but for the radius. It has no way to look at some vertices only.

@@ -8,6 +8,8 @@
 
 namespace accuracy {
 
+using namespace peers;
+
 namespace {
 
 class VcgQuadric : public Peer {

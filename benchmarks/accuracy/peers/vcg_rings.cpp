@@ -8,6 +8,8 @@
 
 namespace accuracy {
 
+using namespace peers;
+
 namespace {
 
 using Run = void (*)(VcgMesh&);

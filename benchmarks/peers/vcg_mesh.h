@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A VCG mesh that has all that VCG's curvature estimators ask for, in double precision.
+// A VCG mesh that has all that VCG's curvature estimators ask for, in double precision; for all benchmarks.
 #pragma once
+
+#include <vector>
 
 #include <vcg/complex/complex.h>
 
-#include "truth.h"
+#include "integral_invariant/surface.h"
 
-namespace accuracy {
+namespace peers {
 
 class VcgVertex;
 class VcgFace;
@@ -19,12 +21,12 @@ class VcgFace : public vcg::Face<VcgTypes, vcg::face::VertexRef, vcg::face::Norm
 class VcgMesh : public vcg::tri::TriMesh<std::vector<VcgVertex>, std::vector<VcgFace>> {};
 
 /// Fills `m` with the mesh, its adjacency, bounding box and angle-weighted unit normals.
-inline void fill(VcgMesh& m, const TriangleMesh& mesh)
+inline void fill(VcgMesh& m, const integral_invariant::TriangleMesh& mesh)
 {
   vcg::tri::Allocator<VcgMesh>::AddVertices(m, mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     m.vert[v].P() = {mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z};
-  for (const Triangle& t : mesh.triangles)
+  for (const integral_invariant::Triangle& t : mesh.triangles)
     vcg::tri::Allocator<VcgMesh>::AddFace(m, std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]));
   vcg::tri::UpdateTopology<VcgMesh>::FaceFace(m);
   vcg::tri::UpdateTopology<VcgMesh>::VertexFace(m);
@@ -35,6 +37,6 @@ inline void fill(VcgMesh& m, const TriangleMesh& mesh)
   vcg::tri::UpdateNormal<VcgMesh>::NormalizePerVertex(m);
 }
 
-inline Vec3 to_vec3(const vcg::Point3d& p) { return {p[0], p[1], p[2]}; }
+inline integral_invariant::Vec3 to_vec3(const vcg::Point3d& p) { return {p[0], p[1], p[2]}; }
 
-}  // namespace accuracy
+}  // namespace peers
