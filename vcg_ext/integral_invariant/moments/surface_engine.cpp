@@ -144,7 +144,7 @@ class SurfaceEngine : public MomentEngine {
         continue;
       }
       hand_over(point, 0, moments.data(), moments.size() - 1, sink);
-      const auto& rest = far->evaluate(forms.evaluator, forms.vicinity, local, moments.back(), is_border);
+      const auto& rest = far->evaluate(forms.evaluator, local, moments.back(), is_border);
       hand_over(point, moments.size() - 1, rest.data(), rest.size(), sink);
     }
   }
