@@ -110,6 +110,23 @@ TEST(Statistical, ACreaseIsNoSharperThanTheSmallestBallAndDoesNotRing)
   }
 }
 
+TEST(Statistical, FlatFacesBesideACreaseStayFlatUnderNoise)
+{
+  const TriangleMesh clean = box(1, 1, 1, 0.04);
+  const double edge = average_edge_length(clean);
+  const Result r = compute_curvature(with_normal_noise(clean, 0.1 * edge), statistical());
+  double sum = 0, count = 0;
+  for (std::size_t v = 0; v < r.kappa_max.size(); ++v) {
+    const Vec3& p = clean.positions[v];
+    double distances[] = {std::min(p.x, 1 - p.x), std::min(p.y, 1 - p.y), std::min(p.z, 1 - p.z)};
+    std::sort(std::begin(distances), std::end(distances));
+    if (distances[1] < 3 * edge) continue;
+    sum += std::abs(r.kappa_max[v]) + std::abs(r.kappa_min[v]);
+    count += 2;
+  }
+  EXPECT_LT(sum / count * edge, 0.004);
+}
+
 TEST(Statistical, ScalesWithTheMesh)
 {
   const Result one = compute_curvature(noisy_sphere(0.1), statistical());

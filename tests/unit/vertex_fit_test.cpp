@@ -107,6 +107,38 @@ TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)
   EXPECT_GT(fitter.discs(centre_of(surface) + 12, {0, 0, 1}, radii)[2].mean_variance, 3 * whole);
 }
 
+TEST(VertexFit, DiscsEndAtABarrierAndTellWhatTheyDoNotFit)
+{
+  const double fold = 1;  // the surface falls off beyond
+  const Surface surface(graph(12, [&](double x, double) { return x > fold ? fold - x : 0.0; }));
+  const std::size_t v = centre_of(surface);
+  const double unit = surface.unit(), centre_x = surface.positions()[v].x;
+  std::vector<char> barrier(surface.vertex_count(), 0);
+  for (std::size_t u = 0; u < barrier.size(); ++u)
+    barrier[u] = (surface.positions()[u].x - centre_x) * unit > fold - 0.25;
+  const std::vector<double> radii{2.5, 6};
+  const VertexFit across = VertexFitter(surface).discs(v, {0, 0, 1}, radii)[1];
+  const VertexFit within = VertexFitter(surface, barrier).discs(v, {0, 0, 1}, radii)[1];
+  EXPECT_GT(across.residual, 0.01);
+  EXPECT_GT(std::abs(across.tensor.k.trace()), 0.01);
+  EXPECT_NEAR(within.residual, 0, 1e-12);
+  EXPECT_NEAR(within.tensor.k.trace(), 0, 1e-9);
+  EXPECT_GT(within.mean_variance, across.mean_variance) << "fewer vertices";
+}
+
+TEST(VertexFit, RoughNormalIsThatOfThePatchWhereABallSeesAnotherSheet)
+{
+  const std::vector<double> radii{1.5, 2.25, 3.5, 5};
+  TensorField tensors(2, radii);
+  const Vec3 up{0, 0, 1}, tilted = normalized({0.3, 0, 1});
+  for (int i = 0; i < int(radii.size()); ++i) {
+    tensors.set(0, i, {{}, tilted, 1});
+    tensors.set(1, i, {{}, {0, 0, -1}, 1});
+  }
+  EXPECT_NEAR(norm(rough_normal(tensors, 0, up) - tilted), 0, 1e-6);
+  EXPECT_NEAR(norm(rough_normal(tensors, 1, up) - up), 0, 1e-12);
+}
+
 TEST(VertexFit, WithoutEnoughVerticesThereIsNoFit)
 {
   TriangleMesh mesh;

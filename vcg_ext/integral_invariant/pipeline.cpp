@@ -133,7 +133,8 @@ void curvature_by_evidence(const Surface& surface, OffsetFreeField field, const 
                                      [&] { execution.report(1); });
 
   execution.begin_stage("weighing the scales", 99);
-  const StatisticalCurvature best = combine_scales(surface, field.tensors, fits, noise, p.estimator, execution);
+  const StatisticalCurvature best =
+      combine_scales(surface, field.tensors, field.offsets, fits, noise, p.estimator, execution);
 
   execution.begin_stage("principal curvatures", 100);
   result.converged = surface.vertex_count();

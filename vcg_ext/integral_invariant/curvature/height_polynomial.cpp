@@ -77,6 +77,13 @@ Coefficients HeightSystem::solution(int degree) const
   return c;
 }
 
+double HeightSystem::explained(const Coefficients& solution, int degree) const
+{
+  double sum = 0;
+  for (int i = 0; i < coefficient_count(degree); ++i) sum += solution[i] * b_[i];
+  return sum;
+}
+
 double HeightSystem::inverse_form(Coefficients b, int degree) const
 {
   const int n = coefficient_count(degree);

@@ -24,6 +24,9 @@ class HeightSystem {
   /// (AᵀWA)⁻¹ b, and (AᵀWA)⁻¹ AᵀW h for the heights. \pre factor() returned at least `degree`
   void solve(Coefficients& b, int degree) const;
   Coefficients solution(int degree) const;
+  /// Σ w h² of the heights h that `solution` gives, from the sums: what it explains of theirs. Call on a system before
+  /// factor().
+  double explained(const Coefficients& solution, int degree) const;
   /// bᵀ (AᵀWA)⁻¹ b: with weights of 1, the variance of bᵀ·coefficients under heights of independent noise of variance
   /// 1.
   double inverse_form(Coefficients b, int degree) const;

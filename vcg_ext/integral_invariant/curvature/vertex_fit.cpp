@@ -27,7 +27,10 @@ constexpr const Coefficients* parts[] = {&height_part::mean, &height_part::devia
 
 }  // namespace
 
-VertexFitter::VertexFitter(const Surface& surface) : surface_(surface), seen_(surface.vertex_count(), 0) {}
+VertexFitter::VertexFitter(const Surface& surface, const std::vector<char>& barrier)
+    : surface_(surface), barrier_(barrier.empty() ? nullptr : &barrier), seen_(surface.vertex_count(), 0)
+{
+}
 
 VertexFitter::Place VertexFitter::place_of(std::uint32_t u, const Vec3& centre, const HeightFrame& frame) const
 {
@@ -81,6 +84,7 @@ void VertexFitter::walk_disc(std::size_t v, const HeightFrame& frame, double rad
       const std::uint32_t w = surface_.neighbours()[e];
       if (seen_[w] == stamp_) continue;
       seen_[w] = stamp_;
+      if (barrier_ && (*barrier_)[w]) continue;
       const Place place = place_of(w, centre, frame);
       // Heights count too: where the surface turns away it is no graph.
       if (place.squared_distance + place.height * place.height > radius * radius) continue;
@@ -153,39 +157,65 @@ const std::vector<VertexFit>& VertexFitter::discs(std::size_t v, const Vec3& nor
   HeightSystem all;
   Coefficients m{};
   std::size_t used = 0;
+  double squares = 0;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     for (; used < places_.size() && places_[used].squared_distance <= radii[i] * radii[i]; ++used) {
       monomials(places_[used].x / unit, places_[used].y / unit, disc_degree, m);
       all.add(m, places_[used].height, 1, disc_degree);
+      squares += places_[used].height * places_[used].height;
     }
     HeightSystem system = all;
     if (used < least_count || system.factor(disc_degree) < disc_degree) continue;
     discs_[i].reach = radii[i];
-    discs_[i].tensor = graph_curvature(system.solution(disc_degree), frame, unit);
+    const Coefficients c = system.solution(disc_degree);
+    discs_[i].tensor = graph_curvature(c, frame, unit);
+    const double freedom = double(used) - coefficient_count(disc_degree);
+    discs_[i].residual = std::max(0.0, squares - all.explained(c, disc_degree)) / freedom;
     set_variances([&](int k) { return system.inverse_form(*parts[k], disc_degree); }, unit, discs_[i]);
   }
   return discs_;
 }
 
-Vec3 rough_normal(const TensorField& tensors, std::size_t v)
+std::vector<Vec3> patch_normals(const Surface& surface)
 {
+  const std::size_t n = surface.vertex_count();
+  const std::vector<Vec3>& p = surface.positions();
+  std::vector<Vec3> areas(n), normals(n);
+  for (const Triangle& t : surface.triangles()) {
+    const Vec3 area = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+    for (const int v : t) areas[v] += area;
+  }
+  for (std::size_t v = 0; v < n; ++v) {
+    normals[v] = areas[v];
+    for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
+      normals[v] += areas[surface.neighbours()[e]];
+    normals[v] = normalized(normals[v]);
+  }
+  return normals;
+}
+
+Vec3 rough_normal(const TensorField& tensors, std::size_t v, const Vec3& patch)
+{
+  constexpr double least_cosine = 0.9;
   constexpr int usual_scale = 3;
   constexpr double largest_kr = 0.8;
   int scale = std::min(usual_scale, int(tensors.radii().size()) - 1);
   CurvatureTensor t = tensors.at_scale(v, scale);
   while (scale > 0 && largest_absolute_curvature(t) * tensors.radii()[std::size_t(scale)] > largest_kr)
     t = tensors.at_scale(v, --scale);
-  if (largest_absolute_curvature(t) * tensors.radii()[std::size_t(scale)] <= largest_kr) return t.normal;
-  return tensors.at_scale(v, std::min(usual_scale, int(tensors.radii().size()) - 1)).normal;
+  if (largest_absolute_curvature(t) * tensors.radii()[std::size_t(scale)] > largest_kr)
+    t = tensors.at_scale(v, std::min(usual_scale, int(tensors.radii().size()) - 1));
+  return dot(t.normal, patch) < least_cosine ? patch : t.normal;
 }
 
 std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution)
 {
   std::vector<VertexFit> fits(surface.vertex_count());
+  const std::vector<Vec3> normals = patch_normals(surface);
   parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int) {
     VertexFitter fitter(surface);
     for (std::size_t v = begin; v < end; ++v)
-      if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, rough_normal(tensors, v));
+      if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, rough_normal(tensors, v, normals[v]));
   });
   return fits;
 }

@@ -26,7 +26,8 @@ struct VertexFit {
 /// other sheets of the surface do not count, and a boundary is nothing special.
 class VertexFitter {
  public:
-  explicit VertexFitter(const Surface& surface);
+  /// \param barrier n flags, or nothing: vertices that discs() neither counts nor walks across.
+  explicit VertexFitter(const Surface& surface, const std::vector<char>& barrier = {});
 
   /// A polynomial of degree 4 through the nearest 20 vertices, the nearer the heavier; of lower degree where they are
   /// few.
@@ -34,7 +35,7 @@ class VertexFitter {
   VertexFit nearest(std::size_t v, const Vec3& normal);
 
   /// Quadrics through all vertices within each of `radii` (increasing) in the tangent plane: over a whole disc the same
-  /// as offset_free_measure(), to first order. `residual` is not computed. Cost O(r²), about 50 µs at r = 16 ē.
+  /// as offset_free_measure(), to first order. Cost O(r²), about 50 µs at r = 16 ē.
   const std::vector<VertexFit>& discs(std::size_t v, const Vec3& normal, const std::vector<double>& radii);
 
  private:
@@ -47,15 +48,20 @@ class VertexFitter {
   void walk_disc(std::size_t v, const HeightFrame& frame, double radius);
 
   const Surface& surface_;
+  const std::vector<char>* barrier_;  ///< or null
   std::uint32_t stamp_ = 0;
   std::vector<std::uint32_t> seen_, queue_;
   std::vector<Place> places_;
   std::vector<VertexFit> discs_;
 };
 
+/// Normals of the vertices' patches: of the summed area vectors of the triangles of a vertex and of its neighbours,
+/// which depend on the patch's rim alone, not on the noise inside, and know no other sheet. Cost O(n).
+std::vector<Vec3> patch_normals(const Surface& surface);
+
 /// Normal of the ball of the fourth scale (not the prey of noise), or of the largest under it in which the surface is nearly
-/// a plane.
-Vec3 rough_normal(const TensorField& tensors, std::size_t v);
+/// a plane; `patch`, where that ball turns away from it because it sees another sheet or a crease.
+Vec3 rough_normal(const TensorField& tensors, std::size_t v, const Vec3& patch);
 
 /// VertexFitter::nearest() at all vertices, about their rough normals.
 std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution);

@@ -10,6 +10,9 @@
 
 namespace integral_invariant {
 
+/// Smaller balls, over σ, are not linear in the noise and say nothing.
+inline constexpr double least_radius_over_sigma = 6;
+
 /// Noise along the normal, one entry a vertex; normalised units.
 struct Noise {
   std::vector<double> offset;   ///< δ: height of the smooth surface over the vertex

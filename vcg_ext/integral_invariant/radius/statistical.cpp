@@ -167,14 +167,15 @@ CurvatureTensor assemble(const Frame& f, double mean, const std::array<double, 2
 
 }  // namespace
 
-StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<VertexFit>& fits,
-                                    const Noise& noise, Estimator estimator, Execution& execution)
+StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<float>& offsets,
+                                    const std::vector<VertexFit>& fits, const Noise& noise, Estimator estimator,
+                                    Execution& execution)
 {
   const std::size_t n = surface.vertex_count();
   const std::vector<double>& radii = tensors.radii();
   const bool removes_bias = estimator == Estimator::bias_free;
   if (removes_bias) remove_own_bias(tensors, noise, execution);
-  const WholeBalls balls = find_whole_balls(surface, noise, removes_bias, tensors, execution);
+  const WholeBalls balls = find_whole_balls(surface, offsets, fits, noise, removes_bias, tensors, execution);
 
   std::vector<Frame> frames(n);
   std::vector<double> least_radius(n);

@@ -9,30 +9,13 @@
 
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/vertex_fit.h"
+#include "integral_invariant/radius/creases.h"
 
 namespace integral_invariant {
 
 namespace {
 
 constexpr double least_confidence = 0.95;
-
-/// Sums of the area vectors of each vertex's triangles: over a patch they depend on its rim alone, not on the noise inside.
-std::vector<Vec3> area_vectors(const Surface& surface)
-{
-  std::vector<Vec3> areas(surface.vertex_count());
-  const std::vector<Vec3>& p = surface.positions();
-  for (const Triangle& t : surface.triangles())
-    for (const int v : t) areas[v] += cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
-  return areas;
-}
-
-Vec3 area_normal(std::size_t v, const Surface& surface, const std::vector<Vec3>& areas)
-{
-  Vec3 sum = areas[v];
-  for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
-    sum += areas[surface.neighbours()[e]];
-  return normalized(sum);
-}
 
 bool has_cut_ball(std::size_t v, const Surface& surface, const WholeBalls& balls, std::size_t scales)
 {
@@ -50,7 +33,15 @@ bool is_usable(const VertexFit& fit)
          fit.normal_variance <= largest_variance;
 }
 
-void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool removes_bias, TensorField& tensors, WholeBalls& balls)
+/// Noise, and what a smooth surface has beyond the second degree: more is a crease that runs through the disc.
+bool fits_well(const VertexFit& fit, double sigma)
+{
+  constexpr double deviations = 2, shape_share = 0.04;
+  return std::sqrt(fit.residual) <= deviations * sigma + shape_share * fit.reach;
+}
+
+void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, bool is_crease, VertexFitter& fitter,
+                        bool removes_bias, TensorField& tensors, WholeBalls& balls)
 {
   constexpr std::size_t usual_scale = 3;
   constexpr double least_fit_radius = 2.5;
@@ -64,6 +55,7 @@ void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool r
     const std::size_t place = v * radii.size() + i;
     // Half a disc of two rows of vertices leaves a quadric all but free.
     if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius || !is_usable(fits[i])) continue;
+    if (!fits_well(fits[i], sigma)) break;
     const CurvatureTensor t = removes_bias ? without_graph_bias(fits[i].tensor, radii[i]) : fits[i].tensor;
     tensors.set(v, int(i), {t.k, t.normal, least_confidence});
     balls.origin[place] = Origin::vertices;
@@ -71,7 +63,7 @@ void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool r
     balls.variance[place] = {float(fits[i].mean_variance), float(fits[i].deviator_variance),
                              float(fits[i].normal_variance)};
   }
-  if (has_any) return;
+  if (has_any || is_crease) return;
   // Where all discs are too small or turn away, there are the nearest vertices.
   const VertexFit nearest = fitter.nearest(v, normal);
   if (!is_usable(nearest)) return;
@@ -81,8 +73,8 @@ void fill_from_vertices(std::size_t v, Vec3 normal, VertexFitter& fitter, bool r
                                       float(nearest.normal_variance)};
 }
 
-void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& tensors, WholeBalls& balls,
-                       Execution& execution)
+void replace_cut_balls(const Surface& surface, const Noise& noise, const Creases& creases, bool removes_bias,
+                       TensorField& tensors, WholeBalls& balls, Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   std::vector<std::uint32_t> cut;
@@ -90,18 +82,24 @@ void replace_cut_balls(const Surface& surface, bool removes_bias, TensorField& t
     if (has_cut_ball(v, surface, balls, scales)) cut.push_back(std::uint32_t(v));
   if (cut.empty()) return;
   balls.variance.resize(n * scales);
-  const std::vector<Vec3> areas = area_vectors(surface);
+  const std::vector<Vec3> normals = patch_normals(surface);
   parallel_for(cut.size(), 64, execution, [&](std::size_t begin, std::size_t end, int) {
-    VertexFitter fitter(surface);
-    for (std::size_t i = begin; i < end; ++i) fill_from_vertices(cut[i], area_normal(cut[i], surface, areas), fitter, removes_bias, tensors, balls);
+    VertexFitter fitter(surface, creases.is_crease);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t v = cut[i];
+      const bool is_crease = !creases.is_crease.empty() && creases.is_crease[v];
+      fill_from_vertices(v, normals[v], noise.sigma[v], is_crease, fitter, removes_bias, tensors, balls);
+    }
   }, 0.15, 0.2);
 }
 
 /// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet,
-/// which larger balls meet as well. Balls that are small against the noise read anything, and are bounded.
-void find_own_balls(std::size_t v, double sigma, TensorField& tensors, WholeBalls& balls)
+/// which larger balls meet as well. So is an offset beyond the noise's and that of a curved sheet. Balls that are small
+/// against the noise read anything, and are bounded.
+void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorField& tensors, WholeBalls& balls)
 {
-  constexpr double largest_kr = 2;
+  // least_kr leaves room for the errors of the engine.
+  constexpr double least_kr = 0.3, largest_kr = 2, second_order = 4, offset_deviations = 4, offset_share = 0.1;
   const std::vector<double>& radii = tensors.radii();
   bool meets_other_sheet = false;
   for (std::size_t i = 0; i < radii.size(); ++i) {
@@ -111,7 +109,41 @@ void find_own_balls(std::size_t v, double sigma, TensorField& tensors, WholeBall
       tensors.set(v, int(i), {t.k * (largest_kr / kr), t.normal, t.confidence});
       meets_other_sheet = meets_other_sheet || radii[i] > least_radius_over_sigma * sigma;
     }
+    const double of_noise = offset_deviations * sigma * (1 + second_order * sigma * sigma);
+    const double of_shape = offset_share * std::clamp(kr, least_kr, largest_kr) * radii[i];
+    if (std::abs(double(offsets[i])) > of_noise + of_shape) meets_other_sheet = true;
     if (t.confidence >= least_confidence && !meets_other_sheet) balls.origin[v * radii.size() + i] = Origin::own;
+  }
+}
+
+/// A ball that reaches over a crease gives way to a fit to its own side of it.
+void give_up_creased_balls(const Creases& creases, const std::vector<double>& radii, WholeBalls& balls)
+{
+  constexpr double slack = 0.3;  // distances run along edges, and the least of a ball is at its rim
+  for (std::size_t v = 0; v < creases.distance.size(); ++v) {
+    if (creases.is_crease[v]) continue;
+    for (std::size_t i = 1; i < radii.size(); ++i)
+      if (radii[i] > double(creases.distance[v]) + slack) balls.origin[v * radii.size() + i] = Origin::none;
+  }
+}
+
+/// On a crease every scale says something else, 1/r: the smallest that noise leaves speaks for it, and nothing of it
+/// enters the averages over the neighbourhood. Not where the ball sees another sheet and discs have been fitted instead.
+void keep_one_scale_on_creases(const Creases& creases, const std::vector<double>& radii, const Noise& noise,
+                               WholeBalls& balls)
+{
+  const std::size_t scales = radii.size();
+  for (std::size_t v = 0; v < creases.is_crease.size(); ++v) {
+    const auto origin = balls.origin.begin() + std::ptrdiff_t(v * scales);
+    const auto end = origin + std::ptrdiff_t(scales);
+    const bool is_fitted = origin[creases.scale] != Origin::own && std::find(origin, end, Origin::vertices) != end;
+    if (!creases.is_crease[v] || is_fitted) continue;
+    const double least_radius = least_radius_over_sigma * noise.sigma[v];
+    int sharpest = 0;
+    while (sharpest < creases.scale && radii[std::size_t(sharpest)] < least_radius) ++sharpest;
+    balls.largest[v] = sharpest;
+    std::fill(origin, end, Origin::none);
+    origin[sharpest] = Origin::own;
   }
 }
 
@@ -154,20 +186,24 @@ int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const
 
 }  // namespace
 
-WholeBalls find_whole_balls(const Surface& surface, const Noise& noise, bool removes_bias, TensorField& tensors,
-                            Execution& execution)
+WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& offsets,
+                            const std::vector<VertexFit>& fits, const Noise& noise, bool removes_bias,
+                            TensorField& tensors, Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   WholeBalls balls;
   balls.origin.assign(n * scales, Origin::none);
   balls.largest.resize(n);
   parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v) find_own_balls(v, noise.sigma[v], tensors, balls);
-  }, 0.1, 0.15);
-  replace_cut_balls(surface, removes_bias, tensors, balls, execution);
+    for (std::size_t v = begin; v < end; ++v) find_own_balls(v, &offsets[v * scales], noise.sigma[v], tensors, balls);
+  }, 0.1, 0.12);
+  const Creases creases = find_creases(surface, tensors, fits, noise, execution);
+  give_up_creased_balls(creases, tensors.radii(), balls);
+  replace_cut_balls(surface, noise, creases, removes_bias, tensors, balls, execution);
   parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, noise.sigma[v], balls);
   }, 0.15, 0.2);
+  keep_one_scale_on_creases(creases, tensors.radii(), noise, balls);
   return balls;
 }
 

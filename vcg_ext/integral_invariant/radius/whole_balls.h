@@ -15,9 +15,6 @@ namespace integral_invariant {
 /// Where the tensor of a (vertex, scale) comes from.
 enum class Origin : unsigned char { none, vertices, own };
 
-/// Smaller balls, over σ, are not linear in the noise and say nothing.
-inline constexpr double least_radius_over_sigma = 6;
-
 struct WholeBalls {
   std::vector<Origin> origin;  ///< n × scales
   std::vector<int> largest;    ///< n: the largest scale to be used
@@ -26,12 +23,15 @@ struct WholeBalls {
   std::vector<std::array<float, 3>> variance;
 };
 
-/// A ball that misses more than a twentieth of its disc (the surface ends there) gives way to a fit to the vertices of
-/// what is left of the disc (VertexFitter::discs). A vertex's largest scale is the one before balls stop being nearly a
-/// half: where |κ| r passes 1.3 or the normal turns away, because the ball meets a crease, another sheet, or the whole
-/// of a small part. Changes `tensors` where the origin is vertices. Cost O(n · scales), and 50 µs a vertex whose
-/// largest balls are cut.
-WholeBalls find_whole_balls(const Surface& surface, const Noise& noise, bool removes_bias, TensorField& tensors,
-                            Execution& execution);
+/// A ball that misses more than a twentieth of its disc (the surface ends there), meets another sheet, or reaches over
+/// a crease gives way to a fit to the vertices of what is left of the disc (VertexFitter::discs), which ends at creases.
+/// What a quadric does not fit, and larger discs, say nothing. `offsets` are those of offset_free_measure(), scale by
+/// scale for each vertex. A vertex's largest scale is the one before balls stop being nearly a half: where |κ| r passes
+/// 1.3 or the normal turns away, because the ball meets another sheet or the whole of a small part; on a crease it is
+/// the smallest that noise leaves. Changes `tensors` where the origin is vertices. Cost O(n · scales), and 50 µs a
+/// vertex whose largest balls give way.
+WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& offsets,
+                            const std::vector<VertexFit>& fits, const Noise& noise, bool removes_bias,
+                            TensorField& tensors, Execution& execution);
 
 }  // namespace integral_invariant
