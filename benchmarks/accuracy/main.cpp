@@ -15,6 +15,7 @@
 #include "cells.h"
 #include "estimate.h"
 #include "integral_invariant/pipeline.h"
+#include "oracle.h"
 #include "peers/peer.h"
 #include "resource_use.h"
 #include "support/shapes.h"
@@ -40,7 +41,7 @@ Options read_options(int argc, char** argv)
     if (!std::strcmp(argv[i], "--cells")) o.filter = argv[i + 1];
     if (!std::strcmp(argv[i], "--part")) std::sscanf(argv[i + 1], "%d/%d", &o.part, &o.parts);
   }
-  if ((o.mode != "peers" && o.mode != "ours" && o.mode != "cost") || argc % 2)
+  if ((o.mode != "peers" && o.mode != "ours" && o.mode != "cost" && o.mode != "oracle") || argc % 2)
     throw std::invalid_argument("usage: accuracy peers|ours|cost [--models FOLDER] [--cells TEXT] [--part I/N]");
   return o;
 }
@@ -151,6 +152,7 @@ try {
     if (options.mode == "peers") run_peers(cell, truth);
     if (options.mode == "ours") run_ours(cell, truth);
     if (options.mode == "cost") run_cost(cell, truth);
+    if (options.mode == "oracle") print_oracle(cell.name(), truth, with_noise(truth, cell.sigma, cell.seed()));
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

@@ -85,9 +85,11 @@ class Chain {
     }
   }
 
-  /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias.
+  /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias. Where
+  /// details do not stand out of the noise, which vertices less than a radius apart share, it stays with r².
   void regress(int i)
   {
+    constexpr double largest_over_square_law = 1.5, doubt_share = 0.1;
     std::fill(slope_.begin(), slope_.end(), 0.0);
     if (!e_.predict || i + 2 >= int(scales_)) return;
     std::vector<Pair> products(n_, Pair{});
@@ -95,9 +97,12 @@ class Chain {
       if (i + 1 < e_.balls.largest[v] && is_measured(v, i))
         products[v] = {dot(difference(v, i), states_[v].detail), dot(states_[v].detail, states_[v].detail)};
     const auto sums = e_.pools[std::size_t(i)].sums(products);
-    const double largest = gap(i) / gap(i + 1);
-    for (std::size_t v = 0; v < n_; ++v)
-      if (sums[v][1] > 0) slope_[v] = std::clamp(sums[v][0] / sums[v][1], 0.0, largest);
+    const double square_law = gap(i) / gap(i + 1), sharing = e_.radii[std::size_t(i)] * e_.radii[std::size_t(i)];
+    for (std::size_t v = 0; v < n_; ++v) {
+      const double doubt = doubt_share * sharing * signal_.components * noise_between(v, i);
+      slope_[v] = std::clamp((sums[v][0] + doubt * square_law) / (sums[v][1] + doubt), 0.0,
+                             largest_over_square_law * square_law);
+    }
   }
 
   void update(int i)
