@@ -56,7 +56,7 @@ void measure_speed(const std::string& name, const Surface& surface, const std::v
     Execution execution(threads);
     std::vector<double> volume(surface.vertex_count());
     const double wall = wall_seconds(), cpu = cpu_seconds();
-    const auto engine = make_surface_engine(surface, published_method());
+    const auto engine = make_surface_engine(surface, published_method(), execution);
     best_prepare = std::min(best_prepare, wall_seconds() - wall);
     engine->evaluate(radii, [&](std::size_t v, int, const BallMoments& m) { volume[v] += m.volume; }, execution);
     best_wall = std::min(best_wall, wall_seconds() - wall);
@@ -93,7 +93,7 @@ std::vector<std::vector<double>> curvatures(const Surface& surface, const std::v
   Parameters parameters = published_method();
   parameters.exactness = exactness;
   Execution execution;
-  make_surface_engine(surface, parameters)->evaluate(radii, [&](std::size_t v, int k, const BallMoments& m) {
+  make_surface_engine(surface, parameters, execution)->evaluate(radii, [&](std::size_t v, int k, const BallMoments& m) {
     const PrincipalCurvatures kappa = principal_curvatures(curvature_tensor(m, radii[std::size_t(k)]));
     values[std::size_t(k)][2 * v] = kappa.kappa_max;
     values[std::size_t(k)][2 * v + 1] = kappa.kappa_min;

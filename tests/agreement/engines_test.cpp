@@ -28,7 +28,7 @@ std::vector<BallMoments> moments_at(const Surface& surface, double radius, const
 {
   std::vector<BallMoments> moments(surface.vertex_count());
   Execution execution;
-  make_moment_engine(surface, parameters)
+  make_moment_engine(surface, parameters, execution)
       ->evaluate({radius}, [&](std::size_t v, int, const BallMoments& m) { moments[v] = m; }, execution);
   return moments;
 }

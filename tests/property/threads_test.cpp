@@ -65,9 +65,9 @@ TEST_P(Threads, GiveTheSameBitsAsOne)
 TEST_P(Threads, AnExceptionInAWorkerReachesTheCaller)
 {
   const Surface surface(sample());
-  const auto engine = make_moment_engine(surface, parameters(4));
-  std::atomic<int> calls{0};
   Execution execution(4);
+  const auto engine = make_moment_engine(surface, parameters(4), execution);
+  std::atomic<int> calls{0};
   try {
     engine->evaluate({2, 4}, [&](std::size_t, int, const BallMoments&) {
       if (++calls == 1000) throw WorkerFailed("the thousandth ball");

@@ -189,7 +189,7 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   require_memory_for_arrays(surface.vertex_count(), scales.size(), parameters.memory_limit_mb);
 
   execution.begin_stage("ball moments", 80);
-  auto engine = make_moment_engine(surface, parameters, [&] { execution.report(0); });
+  auto engine = make_moment_engine(surface, parameters, execution);
   result.engine = engine->description(scales, execution);
   execution.report(0);
   if (parameters.estimator == Estimator::yang06) {

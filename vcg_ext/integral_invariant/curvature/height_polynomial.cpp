@@ -40,13 +40,13 @@ int HeightSystem::factor(int degree)
   for (; rank < n; ++rank) {
     Coefficients& row = a_[rank];
     const double diagonal = row[rank];
+    forward(row, rank);
     for (int j = 0; j < rank; ++j) {
-      for (int k = 0; k < j; ++k) row[j] -= row[k] * a_[j][k];
-      row[j] /= a_[j][j];
       row[rank] -= row[j] * row[j];
+      a_[j][rank] = row[j];
     }
     if (!(row[rank] > least_share * diagonal)) break;
-    row[rank] = std::sqrt(row[rank]);
+    row[rank] = 1 / std::sqrt(row[rank]);
   }
   while (degree > 0 && coefficient_count(degree) > rank) --degree;
   return degree;
@@ -55,8 +55,8 @@ int HeightSystem::factor(int degree)
 void HeightSystem::forward(Coefficients& x, int count) const
 {
   for (int i = 0; i < count; ++i) {
-    for (int k = 0; k < i; ++k) x[i] -= a_[i][k] * x[k];
-    x[i] /= a_[i][i];
+    x[i] *= a_[i][i];
+    for (int k = i + 1; k < count; ++k) x[k] -= a_[i][k] * x[i];
   }
 }
 
@@ -65,8 +65,8 @@ void HeightSystem::solve(Coefficients& b, int degree) const
   const int n = coefficient_count(degree);
   forward(b, n);
   for (int i = n; i-- > 0;) {
-    for (int k = i + 1; k < n; ++k) b[i] -= a_[k][i] * b[k];
-    b[i] /= a_[i][i];
+    b[i] *= a_[i][i];
+    for (int k = 0; k < i; ++k) b[k] -= a_[i][k] * b[i];
   }
 }
 

@@ -31,7 +31,8 @@ class HeightSystem {
  private:
   void forward(Coefficients& x, int count) const;
 
-  std::array<Coefficients, coefficient_count(largest_degree)> a_{};  ///< lower triangle, then its Cholesky factor
+  /// Lower triangle; then its Cholesky factor there and above the diagonal, with the inverse of what is on the diagonal.
+  std::array<Coefficients, coefficient_count(largest_degree)> a_{};
   Coefficients b_{};
 };
 

@@ -54,7 +54,7 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   allocate(signature, surface.vertex_count(), radii.size(), parameters.memory_limit_mb);
 
   execution.begin_stage("ball moments", 100);
-  const auto engine = make_moment_engine(surface, parameters, [&] { execution.report(0); });
+  const auto engine = make_moment_engine(surface, parameters, execution);
   const double unit = surface.unit();
   engine->evaluate(
       radii,

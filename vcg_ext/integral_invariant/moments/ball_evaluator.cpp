@@ -51,7 +51,7 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   add_whole_triangles(near);
   for (std::uint32_t k = 0; k < cut_scales_; ++k) add_listed_corners(near, k);
   if (cut_scales_ < scales_) add_rim(near);
-  for (const std::uint32_t i : near.large) add_large(near.corners[i], near.longest_edges[i]);
+  for (const std::uint32_t i : vicinity.large()) add_large(near.corners[i], near.longest_edges[i]);
   add_free_edges(near);
   finish();
   return moments_;

@@ -3,6 +3,7 @@
 #include "integral_invariant/moments/compact_order.h"
 
 #include <algorithm>
+#include <array>
 
 namespace integral_invariant {
 
@@ -23,28 +24,54 @@ int longest_side(const PlacedItem* begin, const PlacedItem* end)
   return axis;
 }
 
-/// `left`: the largest run·2^j under the number of items, or anything above it.
-void split(PlacedItem* begin, PlacedItem* end, std::size_t left, std::size_t run)
+/// Items [begin, end) that are to be split where `left` of them, or half as many and so on, are the larger share of them.
+struct Part {
+  PlacedItem *begin, *end;
+  std::size_t left;
+
+  std::size_t count() const { return std::size_t(end - begin); }
+};
+
+/// The two shares, the second one empty where the part is a run.
+std::array<Part, 2> halves(Part part, std::size_t run)
 {
-  const std::size_t count = std::size_t(end - begin);
-  if (count <= run) return;
-  while (left >= count) left /= 2;
-  const int axis = longest_side(begin, end);
-  std::nth_element(begin, begin + left, end,
-                   [axis](const PlacedItem& a, const PlacedItem& b) {
-                     return a.place[axis] < b.place[axis] || (a.place[axis] == b.place[axis] && a.index < b.index);
-                   });
-  split(begin, begin + left, left / 2, run);
-  split(begin + left, end, left, run);
+  if (part.count() <= run) return {part, {part.end, part.end, run}};
+  while (part.left >= part.count()) part.left /= 2;
+  const int axis = longest_side(part.begin, part.end);
+  PlacedItem* middle = part.begin + part.left;
+  std::nth_element(part.begin, middle, part.end, [axis](const PlacedItem& a, const PlacedItem& b) {
+    return a.place[axis] < b.place[axis] || (a.place[axis] == b.place[axis] && a.index < b.index);
+  });
+  return {{{part.begin, middle, part.left / 2}, {middle, part.end, part.left}}};
+}
+
+void split(const Part& part, std::size_t run)
+{
+  if (part.count() <= run) return;
+  for (const Part& half : halves(part, run)) split(half, run);
 }
 
 }  // namespace
 
-void order_compactly(std::vector<PlacedItem>& items, std::size_t run)
+void order_compactly(std::vector<PlacedItem>& items, std::size_t run, Execution& execution)
 {
+  constexpr std::size_t parts_per_worker = 8, least_part = 4096;
   std::size_t left = run;
   while (left < items.size()) left *= 2;
-  split(items.data(), items.data() + items.size(), left, run);
+  std::vector<Part> parts{{items.data(), items.data() + items.size(), left}};
+  while (parts.size() < parts_per_worker * std::size_t(execution.threads()) && parts.size() * least_part < items.size()) {
+    std::vector<Part> shares(2 * parts.size());
+    parallel_for(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::array<Part, 2> pair = halves(parts[i], run);
+        std::copy(pair.begin(), pair.end(), shares.begin() + std::ptrdiff_t(2 * i));
+      }
+    }, 0, 0);
+    parts.swap(shares);
+  }
+  parallel_for(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) split(parts[i], run);
+  }, 0, 0);
 }
 
 }  // namespace integral_invariant

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/vec3.h"
 
 namespace integral_invariant {
@@ -18,7 +19,7 @@ struct PlacedItem {
 
 /// Orders the items so that every run of run·2^j of them that begins at a multiple of its length lies in a box of its
 /// own: halves of halves along the longest side. Unlike along a space-filling curve, no run has outliers.
-/// Cost O(n log n).
-void order_compactly(std::vector<PlacedItem>& items, std::size_t run);
+/// Cost O(n log n), on all workers.
+void order_compactly(std::vector<PlacedItem>& items, std::size_t run, Execution& execution);
 
 }  // namespace integral_invariant

@@ -42,8 +42,7 @@ class MomentEngine {
 };
 
 /// The engine that `parameters` ask for, prepared for `surface`, which must outlive it.
-/// \throw InputError where the engine cannot work on this surface (it says why and what to do)
-std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters,
-                                                const BetweenSteps& between_steps = {});
+/// \throw InputError where the engine cannot work on this surface (it says why and what to do); Cancelled
+std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters, Execution& execution);
 
 }  // namespace integral_invariant

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double rim_gap = 0.5, least_gain = 1.5;  // edges
-constexpr std::uint32_t nowhere = ~0u;
-constexpr std::uint8_t listed = 255;  // as least scale: the leaf is in the lists already
+constexpr std::uint32_t none = ~0u;
+constexpr std::uint8_t no_shell = 255;
 
 /// c₀, c₁, c₂ for the moments of degree 0, 1, 2.
 MomentSums scaled(const MomentSums& m, double c0, double c1, double c2)
@@ -41,7 +41,7 @@ ScaleSplit ScaleSplit::of(const std::vector<double>& radii, double widest_near)
 }
 
 FarField::FarField(const SurfaceTree& tree, const ScaleSplit& split)
-    : radii_(with_rim(split)), outside_(std::uint8_t(split.near.size())), far_(tree, radii_.back()),
+    : radii_(with_rim(split)), rim_{radii_.front()}, outside_(std::uint8_t(split.near.size())), far_(tree, radii_.back()),
       points_in_(radii_.size()), clusters_in_(radii_.size()), point_count_(radii_.size()), cluster_count_(radii_.size())
 {
   for (const double r : radii_) squared_radii_.push_back(r * r);
@@ -58,30 +58,40 @@ void FarField::narrow(std::uint32_t begin, std::uint32_t end)
   std::vector<Sphere> points;
   for (std::uint32_t i = begin; i < end; ++i) points.push_back({near_->point(i), 0});
   const Sphere around = bounding_sphere(points.data(), points.size());
-  const auto choose = [&](const SphereColumns& from, std::vector<std::uint32_t>& chosen, SphereColumns& spheres) {
-    least_.resize(std::max(least_.size(), from.x.size()));
-    largest_.resize(least_.size());
-    find_scale_ranges(from, around.centre, around.radius + position_rounding, radii_, least_.data(), largest_.data());
-    chosen.clear();
-    spheres.clear();
-    for (std::uint32_t i = 0; i < from.size(); ++i) {
-      if (largest_[i] == 0 || least_[i] == radii_.size()) continue;
-      chosen.push_back(i);
-      spheres.push({from.x[i], from.y[i], from.z[i]}, from.radius[i]);
-    }
-    spheres.pad();
-  };
-  choose(far_.point_spheres(), leaves_, leaf_spheres_);
-  choose(far_.cluster_spheres(), clusters_, cluster_spheres_);
-  place_of_leaf_.assign(far_.point_spheres().size(), nowhere);
-  for (std::uint32_t i = 0; i < leaves_.size(); ++i) place_of_leaf_[leaves_[i]] = i;
+  const double extent = around.radius + position_rounding;
+
+  const SphereColumns& triangles = far_.triangle_spheres();
+  find_ranges(triangles, around.centre, extent);
+  leaves_.clear();
+  rim_leaves_ = 0;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (largest_[i] == 0 || least_[i] == radii_.size()) continue;
+    leaves_.push_back(i);
+    if (least_[i] == 0) std::swap(leaves_.back(), leaves_[rim_leaves_++]);
+  }
+  triangle_spheres_.take(triangles, leaves_.data(), rim_leaves_);
+  point_spheres_.take(far_.point_spheres(), leaves_.data(), leaves_.size());
+
+  const SphereColumns& clusters = far_.cluster_spheres();
+  find_ranges(clusters, around.centre, extent);
+  clusters_.clear();
+  for (std::uint32_t i = 0; i < clusters.size(); ++i)
+    if (largest_[i] > 0 && least_[i] < radii_.size()) clusters_.push_back(i);
+  cluster_spheres_.take(clusters, clusters_.data(), clusters_.size());
 }
 
-const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluator, const Vicinity& vicinity,
-                                                   std::uint32_t centre, const BallMoments& rim_moments, bool is_border)
+void FarField::find_ranges(const SphereColumns& spheres, const Vec3& centre, double extent)
+{
+  least_.resize(std::max(least_.size(), spheres.x.size()));
+  largest_.resize(least_.size());
+  find_scale_ranges(spheres, centre, extent, radii_, least_.data(), largest_.data());
+}
+
+const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluator, std::uint32_t centre,
+                                                   const BallMoments& rim_moments, bool is_border)
 {
   const Vec3 apex = near_->point(centre);
-  sort_leaves(vicinity, evaluator.first_scales(), apex);
+  sort_leaves(evaluator.first_scales(), apex);
   sort_clusters(apex);
 
   // total = cones within the rim + the rest of the rim's ball, grown to r + annulus.
@@ -107,67 +117,64 @@ const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluato
   return moments_;
 }
 
-void FarField::sort_leaves(const Vicinity& vicinity, const std::vector<std::uint8_t>& first_scales, const Vec3& centre)
+void FarField::sort_leaves(const std::vector<std::uint8_t>& first_scales, const Vec3& centre)
 {
-  least_.resize(std::max(least_.size(), leaf_spheres_.x.size()));
-  largest_.resize(least_.size());
-  find_scale_ranges(leaf_spheres_, centre, position_rounding, radii_, least_.data(), largest_.data());
+  find_ranges(point_spheres_, centre, position_rounding);
   weights_.resize(1);
   std::fill_n(weights_[0].weight, kernel_lanes, 1.0);
-  const std::size_t shells = radii_.size();
-  for (std::size_t k = 1; k < shells; ++k) {
-    points_in_[k].resize(std::max(points_in_[k].size(), leaves_.size() + 1));
-    point_count_[k] = 0;
+  weights_of_.assign(leaves_.size(), 0);
+  least_side_.resize(triangle_spheres_.x.size());
+  largest_side_.resize(triangle_spheres_.x.size());
+  find_scale_ranges(triangle_spheres_, centre, position_rounding, rim_, least_side_.data(), largest_side_.data());
+  for (std::uint32_t i = 0; i < rim_leaves_; ++i) {
+    weights_of_[i] = largest_side_[i] == 0 ? none : 0;
+    if (least_side_[i] < largest_side_[i]) weights_of_[i] = weigh_rim_leaf(i, first_scales, centre);
+    // The points of triangles that the rim cuts may be within it, and count in the first shell.
+    least_[i] = weights_of_[i] == none ? no_shell : std::max<std::uint8_t>(least_[i], 1);
+    largest_[i] = std::max<std::uint8_t>(largest_[i], 1);
   }
-  for (const std::uint32_t leaf : vicinity.leaves()) {
-    const std::uint32_t place = place_of_leaf_[far_.of_near_leaf(leaf)];
-    if (place == nowhere || largest_[place] == 0 || least_[place] > 0) continue;
-    if (weigh_leaf(near_->leaves[leaf], first_scales))
-      for (std::size_t k = 1; k < std::min<std::size_t>(largest_[place] + 1u, shells); ++k)
-        points_in_[k][point_count_[k]++] = {leaves_[place], std::uint32_t(weights_.size() - 1)};
-    least_[place] = listed;
-  }
-  for (std::uint32_t i = 0; i < leaves_.size(); ++i) {
-    if (least_[i] > 0 || largest_[i] == 0) continue;
-    // It touches the rim to the last bits.
-    const Vec3 middle{leaf_spheres_.x[i], leaf_spheres_.y[i], leaf_spheres_.z[i]};
-    least_[i] = squared_norm(middle - centre) < squared_radii_[0] ? listed : std::uint8_t(1);
-  }
-  for (std::size_t k = 1; k < shells; ++k) {
+  for (std::size_t k = 1; k < radii_.size(); ++k) {
+    if (points_in_[k].size() <= leaves_.size()) points_in_[k].resize(leaves_.size() + 1);
     // Written in any case and counted where it applies.
-    WeighedGroup* end = points_in_[k].data() + point_count_[k];
+    WeighedGroup* end = points_in_[k].data();
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      *end = {leaves_[i], 0};
+      *end = {leaves_[i], weights_of_[i]};
       end += (least_[i] <= k) & (k <= largest_[i]);
     }
     point_count_[k] = std::uint32_t(end - points_in_[k].data());
   }
 }
 
-/// Appends weights of 1 for the leaf's triangles that are not within the rim; false where all are.
-bool FarField::weigh_leaf(const LocalLeaf& leaf, const std::vector<std::uint8_t>& first_scales)
+/// Which weights leave out the triangles within the rim; none where all are.
+std::uint32_t FarField::weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& first_scales, const Vec3& centre)
 {
+  const std::uint32_t near_leaf = far_.near_leaf(leaves_[i]);
+  if (near_leaf == FarPoints::no_leaf) {
+    // It touches the rim to the last bits.
+    const Vec3 middle{triangle_spheres_.x[i], triangle_spheres_.y[i], triangle_spheres_.z[i]};
+    return squared_norm(middle - centre) < squared_radii_[0] ? none : 0;
+  }
+  const LocalLeaf& leaf = near_->leaves[near_leaf];
   weights_.push_back(weights_[0]);
   double* weight = weights_.back().weight;
   const std::uint8_t *scale = first_scales.data(), *lane = near_->lanes.data();
   const LocalCorners* corners = near_->corners.data();
   bool has_outside = leaf.end - leaf.begin < kernel_lanes;
-  for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
-    const std::array<std::uint32_t, 5>& p = corners[i].ring;
+  for (std::uint32_t t = leaf.begin; t < leaf.end; ++t) {
+    const std::array<std::uint32_t, 5>& p = corners[t].ring;
     // No vertex is farther than the first scale beyond the rim.
     const bool is_outside = (scale[p[0]] == outside_) | (scale[p[1]] == outside_) | (scale[p[2]] == outside_);
-    weight[lane[i]] = is_outside;
+    weight[lane[t]] = is_outside;
     has_outside |= is_outside;
   }
-  if (!has_outside) weights_.pop_back();
-  return has_outside;
+  if (has_outside) return std::uint32_t(weights_.size() - 1);
+  weights_.pop_back();
+  return none;
 }
 
 void FarField::sort_clusters(const Vec3& centre)
 {
-  least_.resize(std::max(least_.size(), cluster_spheres_.x.size()));
-  largest_.resize(least_.size());
-  find_scale_ranges(cluster_spheres_, centre, position_rounding, radii_, least_.data(), largest_.data());
+  find_ranges(cluster_spheres_, centre, position_rounding);
   for (std::size_t k = 1; k < radii_.size(); ++k) {
     if (clusters_in_[k].size() <= clusters_.size()) clusters_in_[k].resize(clusters_.size() + 1);
     std::uint32_t* end = clusters_in_[k].data();

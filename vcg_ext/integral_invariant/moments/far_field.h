@@ -32,27 +32,30 @@ class FarField {
   void enter(const Neighbourhood& near);
   /// To its points [begin, end), which should lie close together.
   void narrow(std::uint32_t begin, std::uint32_t end);
-  /// Moments at the far radii about `centre`, one of these points, for which `evaluator` has just been run over `vicinity`
-  /// with `rim_moments` as the last outcome.
-  const std::vector<BallMoments>& evaluate(const BallEvaluator& evaluator, const Vicinity& vicinity, std::uint32_t centre,
+  /// Moments at the far radii about `centre`, one of these points, for which `evaluator` has just been run with
+  /// `rim_moments` as the last outcome.
+  const std::vector<BallMoments>& evaluate(const BallEvaluator& evaluator, std::uint32_t centre,
                                            const BallMoments& rim_moments, bool is_border);
 
  private:
-  void sort_leaves(const Vicinity& vicinity, const std::vector<std::uint8_t>& first_scales, const Vec3& centre);
-  bool weigh_leaf(const LocalLeaf& leaf, const std::vector<std::uint8_t>& first_scales);
+  /// Fills least_ and largest_.
+  void find_ranges(const SphereColumns& spheres, const Vec3& centre, double extent);
+  void sort_leaves(const std::vector<std::uint8_t>& first_scales, const Vec3& centre);
+  std::uint32_t weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& first_scales, const Vec3& centre);
   void sort_clusters(const Vec3& centre);
   void find_confidence(const Vec3& centre, double gap_angle, bool is_border);
 
-  const std::vector<double> radii_;        ///< rim, then the far ones
+  const std::vector<double> radii_, rim_;  ///< rim, then the far ones; the rim alone
   std::vector<double> squared_radii_;
   const std::uint8_t outside_;             ///< first scale of points beyond the rim
   const Neighbourhood* near_ = nullptr;
   FarPoints far_;
   std::vector<std::uint32_t> leaves_, clusters_;  ///< of the block, that the narrowed points' balls need
-  SphereColumns leaf_spheres_, cluster_spheres_;
-  std::vector<std::uint32_t> place_of_leaf_;      ///< in leaves_
+  std::size_t rim_leaves_ = 0;                    ///< how many of these leaves, the first ones, a rim may cut
+  SphereColumns point_spheres_, triangle_spheres_, cluster_spheres_;  ///< of these; of the first ones' triangles
   std::vector<LaneWeights> weights_;              ///< ones, then those of the leaves that the rim cuts
-  std::vector<std::uint8_t> least_, largest_;
+  std::vector<std::uint32_t> weights_of_;         ///< of each leaf
+  std::vector<std::uint8_t> least_, largest_, least_side_, largest_side_;  ///< scales; sides of the rim
   std::vector<std::vector<WeighedGroup>> points_in_;       ///< per shell
   std::vector<std::vector<std::uint32_t>> clusters_in_;
   std::vector<std::uint32_t> point_count_, cluster_count_;  ///< of them that are valid

@@ -33,7 +33,8 @@ void FarPoints::gather(const Neighbourhood& near)
   cluster_spheres_.clear();
   cluster_lane_ = 0;
   point_spheres_.clear();
-  of_near_leaf_.clear();
+  triangle_spheres_.clear();
+  near_leaf_.clear();
   loose_parts_.clear();
   std::size_t next_near = 0;
   tree_.triangles().visit(
@@ -45,14 +46,13 @@ void FarPoints::gather(const Neighbourhood& near)
         return false;
       },
       [&](std::size_t leaf) {
-        if (next_near < near.leaves.size() && near.leaves[next_near].tree_leaf == leaf) {
-          of_near_leaf_.push_back(std::uint32_t(points_.size()));
-          ++next_near;
-        }
+        const bool is_near = next_near < near.leaves.size() && near.leaves[next_near].tree_leaf == leaf;
+        near_leaf_.push_back(is_near ? std::uint32_t(next_near++) : no_leaf);
         add_leaf(leaf);
       });
   add_loose_parts();
   point_spheres_.pad();
+  triangle_spheres_.pad();
   end_cluster_group();
   cluster_spheres_.pad();
 }
@@ -86,6 +86,7 @@ void FarPoints::add_leaf(std::size_t leaf)
   const double nearest = norm(middle) - radius_ - sphere.radius;
   const bool may_be_large = 2 * sphere.radius > std::max(longest_near_edge, triangle_ratio * nearest);
   points_.emplace_back();
+  std::array<Sphere, lanes> centroids;
   std::size_t lane = 0;
   for (std::size_t i = tree_.triangles().item_begin(leaf); i < tree_.triangles().item_end(leaf); ++i, ++lane) {
     const Triangle& t = tree_.order().triangles[i];
@@ -96,9 +97,12 @@ void FarPoints::add_leaf(std::size_t leaf)
       v = {middle, middle, middle};
     }
     points_.back().set(lane, v);
+    centroids[lane].centre = (v[0] + v[1] + v[2]) * (1.0 / 3);
   }
+  const Sphere points = bounding_sphere(centroids.data(), lane);
   for (; lane < lanes; ++lane) points_.back().set(lane, {middle, middle, middle});
-  point_spheres_.push(middle, sphere.radius);
+  point_spheres_.push(points.centre, points.radius);
+  triangle_spheres_.push(middle, sphere.radius);
 }
 
 double FarPoints::largest_piece(const std::array<Vec3, 3>& v) const
@@ -136,6 +140,8 @@ void FarPoints::add_loose_parts()
     for (std::size_t i = 0; i < lanes; ++i)
       points_.back().set(i, i < count ? loose_parts_[begin + i] : std::array<Vec3, 3>{c, c, c});
     point_spheres_.push(c, sphere.radius);
+    triangle_spheres_.push(c, sphere.radius);
+    near_leaf_.push_back(no_leaf);
   }
 }
 

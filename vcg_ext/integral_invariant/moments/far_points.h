@@ -12,9 +12,12 @@ namespace integral_invariant {
 
 /// Edges longer than this make a block's near triangles too coarse for points.
 inline constexpr double longest_near_edge = 3;
+
 /// In coordinates relative to the neighbourhood's centre.
 class FarPoints {
  public:
+  static constexpr std::uint32_t no_leaf = ~0u;
+
   /// `reach`: largest radius of a ball about the block's points.
   FarPoints(const SurfaceTree& tree, double reach) : tree_(tree), reach_(reach) {}
 
@@ -23,9 +26,11 @@ class FarPoints {
 
   /// Triangles of one leaf of the tree, or parts of large ones.
   const PointGroup* points() const { return points_.data(); }
+  /// Bounds of the points, and of the triangles that they stand for.
   const SphereColumns& point_spheres() const { return point_spheres_; }
-  /// Index of the neighbourhood's leaf in points().
-  std::uint32_t of_near_leaf(std::uint32_t leaf) const { return of_near_leaf_[leaf]; }
+  const SphereColumns& triangle_spheres() const { return triangle_spheres_; }
+  /// Index of the neighbourhood's leaf that points()[i] are, or no_leaf.
+  std::uint32_t near_leaf(std::uint32_t i) const { return near_leaf_[i]; }
   /// Nodes of the tree.
   const ClusterGroup* clusters() const { return clusters_.data(); }
   const SphereColumns& cluster_spheres() const { return cluster_spheres_; }
@@ -47,8 +52,8 @@ class FarPoints {
   std::vector<ClusterGroup> clusters_;
   std::size_t cluster_lane_ = 0;           ///< next one of the last group
   std::array<Sphere, kernel_lanes> cluster_points_;
-  SphereColumns point_spheres_, cluster_spheres_;
-  std::vector<std::uint32_t> of_near_leaf_;
+  SphereColumns point_spheres_, triangle_spheres_, cluster_spheres_;
+  std::vector<std::uint32_t> near_leaf_;
   std::vector<std::array<Vec3, 3>> loose_parts_;
 };
 

@@ -25,39 +25,51 @@ Sphere edge_sphere(const SpatialOrder& order, std::size_t index)
 
 }  // namespace
 
-SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps)
-    : order_(order_in_space(surface, merge_dense, between_steps)),
-      triangles_(order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }),
-      free_edges_(order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }),
+SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense, Execution& execution)
+    : order_(order_in_space(surface, merge_dense, execution)),
+      triangles_(order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }, execution),
+      free_edges_(order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }, execution),
       is_border_(order_.points.size(), false)
 {
   for (const FreeEdge& edge : order_.free_edges) is_border_[edge.from] = is_border_[edge.to] = true;
-  if (between_steps) between_steps();
-  sum_moments();
+  execution.report(0);
+  sum_moments(execution);
 }
 
-void SurfaceTree::sum_moments()
+void SurfaceTree::sum_moments(Execution& execution)
 {
   const auto& levels = triangles_.levels();
   moments_.resize(levels.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
     moments_[level].resize(levels[level].size());
-    for (std::size_t node = 0; node < levels[level].size(); ++node) {
-      const Vec3& centre = levels[level][node].centre;
-      FluxMoments& sum = moments_[level][node];
-      if (level == 0) {
-        for (std::size_t i = triangles_.item_begin(node); i < triangles_.item_end(node); ++i) {
-          const Triangle& t = order_.triangles[i];
-          sum += triangle_flux_moments(order_.points[std::size_t(t[0])] - centre, order_.points[std::size_t(t[1])] - centre,
-                                       order_.points[std::size_t(t[2])] - centre);
-        }
-        continue;
-      }
-      const std::size_t first = node * SphereTree::fan_out;
-      for (std::size_t child = first; child < std::min(first + SphereTree::fan_out, levels[level - 1].size()); ++child)
-        sum += translated(moments_[level - 1][child], levels[level - 1][child].centre - centre);
-    }
+    parallel_for(levels[level].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t node = begin; node < end; ++node)
+        moments_[level][node] = level == 0 ? moments_of_leaf(node) : moments_of_children(level, node);
+    }, 0, 0);
   }
+}
+
+FluxMoments SurfaceTree::moments_of_leaf(std::size_t leaf) const
+{
+  const Vec3& centre = triangles_.levels()[0][leaf].centre;
+  FluxMoments sum;
+  for (std::size_t i = triangles_.item_begin(leaf); i < triangles_.item_end(leaf); ++i) {
+    const Triangle& t = order_.triangles[i];
+    sum += triangle_flux_moments(order_.points[std::size_t(t[0])] - centre, order_.points[std::size_t(t[1])] - centre,
+                                 order_.points[std::size_t(t[2])] - centre);
+  }
+  return sum;
+}
+
+FluxMoments SurfaceTree::moments_of_children(std::size_t level, std::size_t node) const
+{
+  const std::vector<Sphere>& children = triangles_.levels()[level - 1];
+  const Vec3& centre = triangles_.levels()[level][node].centre;
+  const std::size_t first = node * SphereTree::fan_out, end = std::min(first + SphereTree::fan_out, children.size());
+  FluxMoments sum;
+  for (std::size_t child = first; child < end; ++child)
+    sum += translated(moments_[level - 1][child], children[child].centre - centre);
+  return sum;
 }
 
 void Neighbourhood::group_points()

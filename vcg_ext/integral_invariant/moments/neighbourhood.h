@@ -16,7 +16,7 @@ namespace integral_invariant {
 /// The mesh in spatial order with hierarchies over its triangles and free edges, and the moments of every node.
 class SurfaceTree {
  public:
-  SurfaceTree(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps);
+  SurfaceTree(const Surface& surface, bool merge_dense, Execution& execution);
 
   const SpatialOrder& order() const { return order_; }
   const SphereTree& triangles() const { return triangles_; }
@@ -27,7 +27,9 @@ class SurfaceTree {
   bool is_border(std::uint32_t point) const { return is_border_[point]; }
 
  private:
-  void sum_moments();
+  void sum_moments(Execution& execution);
+  FluxMoments moments_of_leaf(std::size_t leaf) const;
+  FluxMoments moments_of_children(std::size_t level, std::size_t node) const;
 
   SpatialOrder order_;
   SphereTree triangles_, free_edges_;

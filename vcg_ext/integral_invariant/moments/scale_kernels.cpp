@@ -26,6 +26,14 @@ void SphereColumns::push(const Vec3& centre, double r)
   ++size_;
 }
 
+void SphereColumns::take(const SphereColumns& from, const std::uint32_t* list, std::size_t count)
+{
+  clear();
+  for (std::size_t i = 0; i < count; ++i)
+    push({from.x[list[i]], from.y[list[i]], from.z[list[i]]}, from.radius[list[i]]);
+  pad();
+}
+
 void SphereColumns::pad()
 {
   const std::size_t full = (size_ + lanes - 1) / lanes * lanes;

@@ -17,6 +17,8 @@ class SphereColumns {
  public:
   void clear();
   void push(const Vec3& centre, double radius);
+  /// Those of `from` that `list` names, padded.
+  void take(const SphereColumns& from, const std::uint32_t* list, std::size_t count);
   /// After the last push.
   void pad();
   std::size_t size() const { return size_; }

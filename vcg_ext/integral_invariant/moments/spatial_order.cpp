@@ -119,12 +119,12 @@ PlacedItem placed(const Vec3& p, std::size_t index)
 }
 
 /// Gives the points the order in which runs are compact, and `point_of` their new numbers.
-void order_points(SpatialOrder& order, std::vector<std::uint32_t>& point_of)
+void order_points(SpatialOrder& order, std::vector<std::uint32_t>& point_of, Execution& execution)
 {
   std::vector<PlacedItem> items;
   items.reserve(order.points.size());
   for (std::size_t i = 0; i < order.points.size(); ++i) items.push_back(placed(order.points[i], i));
-  order_compactly(items, SpatialOrder::run);
+  order_compactly(items, SpatialOrder::run, execution);
   std::vector<std::uint32_t> start, vertices, number(order.points.size());
   std::vector<Vec3> points;
   start.reserve(order.vertex_start.size());
@@ -150,7 +150,8 @@ Triangle smallest_first(Triangle t)
   return t;
 }
 
-void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& point_of, SpatialOrder& order)
+void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& point_of, SpatialOrder& order,
+                     Execution& execution)
 {
   std::vector<Triangle> kept;
   std::vector<PlacedItem> items;
@@ -165,7 +166,7 @@ void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& p
     items.push_back(placed(sum, kept.size()));
     kept.push_back(t);
   }
-  order_compactly(items, SpatialOrder::run);
+  order_compactly(items, SpatialOrder::run, execution);
   order.triangles.reserve(kept.size());
   for (const PlacedItem& item : items) order.triangles.push_back(kept[item.index]);
 }
@@ -200,7 +201,7 @@ void add_free_edge(const DirectedEdge* begin, const DirectedEdge* end, std::vect
 }
 
 /// Edges are bucketed by their smaller point: those buckets are short and stay in the cache.
-void find_free_edges(SpatialOrder& order)
+void find_free_edges(SpatialOrder& order, Execution& execution)
 {
   std::vector<std::uint32_t> start(order.points.size() + 1, 0);
   for (const Triangle& t : order.triangles)
@@ -215,33 +216,29 @@ void find_free_edges(SpatialOrder& order)
   const auto less = [](const DirectedEdge& a, const DirectedEdge& b) {
     return std::make_pair(a.high, a.opposite) < std::make_pair(b.high, b.opposite);
   };
-  for (std::size_t begin = 0; begin < edges.size();) {
-    std::size_t end = begin;
-    while (end < edges.size() && edges[end].low == edges[begin].low) ++end;
-    std::sort(edges.begin() + std::ptrdiff_t(begin), edges.begin() + std::ptrdiff_t(end), less);
-    for (std::size_t i = begin, j = begin; i < end; i = j) {
-      while (j < end && edges[j].high == edges[i].high) ++j;
-      add_free_edge(edges.data() + i, edges.data() + j, order.free_edges);
-    }
-    begin = end;
+  // Filled, a bucket ends where its start has moved to.
+  parallel_for(order.points.size(), 8192, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t point = begin; point < end; ++point)
+      std::sort(edges.begin() + std::ptrdiff_t(point == 0 ? 0 : start[point - 1]), edges.begin() + std::ptrdiff_t(start[point]), less);
+  }, 0, 0);
+  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
+    while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) ++j;
+    add_free_edge(edges.data() + i, edges.data() + j, order.free_edges);
   }
 }
 
 }  // namespace
 
-SpatialOrder order_in_space(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps)
+SpatialOrder order_in_space(const Surface& surface, bool merge_dense, Execution& execution)
 {
-  const auto step = [&] {
-    if (between_steps) between_steps();
-  };
   SpatialOrder order;
   std::vector<std::uint32_t> point_of = merge_places(surface, merge_dense, order);
-  order_points(order, point_of);
-  step();
-  order_triangles(surface, point_of, order);
-  step();
+  order_points(order, point_of, execution);
+  execution.report(0);
+  order_triangles(surface, point_of, order, execution);
+  execution.report(0);
   find_normals(order);
-  find_free_edges(order);
+  find_free_edges(order, execution);
   return order;
 }
 

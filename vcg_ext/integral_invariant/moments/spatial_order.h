@@ -32,6 +32,6 @@ struct SpatialOrder {
 
 /// Cost O(n log n), about 100 bytes a vertex for the result. `merge_dense`: where more than a thousand vertices lie within
 /// an average edge's length, those within 1/32 of it count as one.
-SpatialOrder order_in_space(const Surface& surface, bool merge_dense, const BetweenSteps& between_steps);
+SpatialOrder order_in_space(const Surface& surface, bool merge_dense, Execution& execution);
 
 }  // namespace integral_invariant

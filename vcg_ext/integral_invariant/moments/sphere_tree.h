@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/vec3.h"
 
 namespace integral_invariant {
@@ -24,17 +25,19 @@ class SphereTree {
   static constexpr std::size_t leaf_size = 8, fan_out = 4;
 
   SphereTree() = default;
-  /// `item_sphere(i)` bounds item i. Cost O(count).
+  /// `item_sphere(i)` bounds item i; called from several threads. Cost O(count).
   template <class ItemSphere>
-  SphereTree(std::size_t count, ItemSphere&& item_sphere) : count_(count)
+  SphereTree(std::size_t count, const ItemSphere& item_sphere, Execution& execution) : count_(count)
   {
-    std::vector<Sphere> spheres;
-    levels_.emplace_back();
-    for (std::size_t begin = 0; begin < count; begin += leaf_size) {
-      spheres.clear();
-      for (std::size_t i = begin; i < std::min(count, begin + leaf_size); ++i) spheres.push_back(item_sphere(i));
-      levels_[0].push_back(bounding_sphere(spheres.data(), spheres.size()));
-    }
+    levels_.emplace_back((count + leaf_size - 1) / leaf_size);
+    parallel_for(levels_[0].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {
+      std::vector<Sphere> spheres;
+      for (std::size_t leaf = begin; leaf < end; ++leaf) {
+        spheres.clear();
+        for (std::size_t i = item_begin(leaf); i < item_end(leaf); ++i) spheres.push_back(item_sphere(i));
+        levels_[0][leaf] = bounding_sphere(spheres.data(), spheres.size());
+      }
+    }, 0, 0);
     while (levels_.back().size() > 1) add_level();
   }
 

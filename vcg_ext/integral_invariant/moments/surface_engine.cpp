@@ -27,8 +27,8 @@ double small_edge(Exactness exactness)
 
 class SurfaceEngine : public MomentEngine {
  public:
-  SurfaceEngine(const Surface& surface, const Parameters& parameters, const BetweenSteps& between_steps)
-      : parameters_(parameters), tree_(surface, parameters.exactness != Exactness::exact, between_steps)
+  SurfaceEngine(const Surface& surface, const Parameters& parameters, Execution& execution)
+      : parameters_(parameters), tree_(surface, parameters.exactness != Exactness::exact, execution)
   {
     split_into_blocks();
   }
@@ -144,7 +144,7 @@ class SurfaceEngine : public MomentEngine {
         continue;
       }
       hand_over(point, 0, moments.data(), moments.size() - 1, sink);
-      const auto& rest = far->evaluate(forms.evaluator, forms.vicinity, local, moments.back(), is_border);
+      const auto& rest = far->evaluate(forms.evaluator, local, moments.back(), is_border);
       hand_over(point, moments.size() - 1, rest.data(), rest.size(), sink);
     }
   }
@@ -165,15 +165,14 @@ class SurfaceEngine : public MomentEngine {
 
 }  // namespace
 
-std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters,
-                                                 const BetweenSteps& between_steps)
+std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters, Execution& execution)
 {
   // Measured: places, order, hierarchy with its moments, and the lists that sorting needs meanwhile.
   constexpr double bytes_per_vertex = 140, bytes_per_triangle = 60;
   require_memory(bytes_per_vertex * double(surface.vertex_count()) + bytes_per_triangle * double(surface.triangles().size()),
                  parameters.memory_limit_mb, "The surface engine for " + std::to_string(surface.triangles().size()) +
                  " triangles", "Reduce the number of triangles");
-  return std::make_unique<SurfaceEngine>(surface, parameters, between_steps);
+  return std::make_unique<SurfaceEngine>(surface, parameters, execution);
 }
 
 }  // namespace integral_invariant

@@ -15,7 +15,6 @@ namespace integral_invariant {
 
 /// The engine prepared for `surface`; takes `exactness`, `same_sheet` and `memory_limit_mb` of the parameters.
 /// \throw MemoryError
-std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters,
-                                                 const BetweenSteps& between_steps = {});
+std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters, Execution& execution);
 
 }  // namespace integral_invariant

@@ -55,6 +55,19 @@ void Vicinity::narrow(std::uint32_t begin, std::uint32_t end)
   }
   close_spheres_.pad();
   sort_points(around);
+  choose_large(around);
+}
+
+void Vicinity::choose_large(const Sphere& around)
+{
+  close_large_.clear();
+  for (const std::uint32_t i : near_->large) {
+    const double* centroid = near_->triangles[i].centroid;
+    // No point of a triangle is farther from its centroid than two thirds of the longest edge.
+    const double reach = radii_[near_->corners[i].first_small_scale - 1] + near_->longest_edges[i] * (2.0 / 3);
+    const double distance = norm(Vec3{centroid[0], centroid[1], centroid[2]} - around.centre);
+    if (distance < reach + around.radius + position_rounding) close_large_.push_back(i);
+  }
 }
 
 void Vicinity::sort_points(const Sphere& around)

@@ -26,6 +26,8 @@ class Vicinity {
 
   /// Leaves that spheres about the point may cut.
   const std::vector<std::uint32_t>& leaves() const { return leaves_; }
+  /// Triangles that a sphere about the narrowed points, against which they are large, may cut.
+  const std::vector<std::uint32_t>& large() const { return close_large_; }
   bool has_far(std::size_t scale) const { return far_.has[scale]; }
   /// Of what is inside from the scale on and not in leaves(); about the neighbourhood's centre.
   const FluxMoments& far(std::size_t scale) const { return far_.moments[scale]; }
@@ -38,6 +40,7 @@ class Vicinity {
 
   void add_far(std::uint32_t leaf, std::uint8_t scale, Far& far);
   void sort_points(const Sphere& around);
+  void choose_large(const Sphere& around);
 
   const SurfaceTree& tree_;
   const std::vector<double>& radii_;
@@ -47,7 +50,7 @@ class Vicinity {
   std::vector<FluxMoments> leaf_moments_;        ///< per leaf of the neighbourhood, where asked for before
   std::vector<char> has_leaf_moments_;
   std::vector<std::uint8_t> least_, largest_;
-  std::vector<std::uint32_t> close_leaves_, leaves_;
+  std::vector<std::uint32_t> close_leaves_, leaves_, close_large_;
   SphereColumns close_spheres_;
   Far close_far_, far_;
   std::vector<std::uint8_t> common_scale_;       ///< per point, for the groups that no sphere cuts
