@@ -66,7 +66,7 @@ Candidates make_candidates(const TruthMesh& truth, const TriangleMesh& noisy)
   const std::vector<double> radii = scale_radii(p, surface.unit());
   TensorField tensors(n, radii);
   std::vector<float> offsets(n * radii.size());
-  make_moment_engine(surface, p)->evaluate(radii, [&](std::size_t v, int i, const BallMoments& moments) {
+  make_moment_engine(surface, p, execution)->evaluate(radii, [&](std::size_t v, int i, const BallMoments& moments) {
     const OffsetFreeMeasure m = offset_free_measure(moments, radii[std::size_t(i)]);
     tensors.set(v, i, m.tensor);
     offsets[v * radii.size() + std::size_t(i)] = float(m.offset);
@@ -161,7 +161,8 @@ void print_oracle(const Cell& cell, const TruthMesh& truth, const TriangleMesh& 
     mixture += kappa_error(best_mixture(all, v, near), all.truth[v]) / reference;
     around += double(near.size()) / double(truth.judged.size());
   }
-  std::printf("%s,%s,%g,%.0f,%.4g,%.4g\n", cell.shape.c_str(), cell.meshing.c_str(), cell.sigma, around, scale, mixture);
+  std::printf("%s,%s,%g,%.0f,%.4g,%.4g\n", cell.shape.c_str(), cell.meshing.c_str(), cell.sigma, around, scale,
+              mixture);
   std::fflush(stdout);
 }
 
