@@ -104,8 +104,9 @@ class Chain {
     for (std::size_t v = 0; v < n_; ++v) {
       const auto& [product, square, fourth_power, count] = sums[v];
       const double noise = signal_.components * noise_between(v, i), doubt = doubt_share * sharing * noise;
-      slope_[v] = std::clamp((product + doubt * square_law) / (square + doubt), 0.0,
-                             square_law * steepness(square, fourth_power, count, noise));
+      if (square + doubt > 0)
+        slope_[v] = std::clamp((product + doubt * square_law) / (square + doubt), 0.0,
+                               square_law * steepness(square, fourth_power, count, noise));
     }
   }
 
