@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "integral_invariant/canonical_order.h"
 #include "integral_invariant/pipeline.h"
 #include "line_layer.h"
 
@@ -61,19 +62,28 @@ void add_log(Measured& measured, const char* title, const std::vector<std::strin
   outcome.values.emplace_back("seconds", seconds);
 }
 
-FeatureOutcome ridges_and_valleys(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
+/// Values of the vertices in canonical order, as the caller has them.
+template <class Value>
+std::vector<Value> in_order_of(const std::vector<std::uint32_t>& caller, const std::vector<Value>& values)
+{
+  std::vector<Value> result(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v) result[caller[v]] = values[v];
+  return result;
+}
+
+FeatureOutcome ridges_and_valleys(const CanonicalMesh& canonical, const Request& request, const ProgressCallback& progress)
 {
   const RidgeValleyParameters& p = request.ridge_valley;
   if (!p.ridges && !p.valleys) throw ParameterError("Nothing is asked for: set 'ridges' or 'valleys' to true.");
-  Measured measured(mesh, request, progress);
+  Measured measured(canonical.mesh, request, progress);
   measured.execution.begin_stage("ridges and valleys", 100);
   const RidgeValleyRegions found = find_ridges_and_valleys(measured.surface, measured.result, p);
 
   FeatureOutcome outcome;
-  outcome.selection = found.region;
+  outcome.selection = in_order_of(canonical.caller, found.region);
   NamedValues kind{"ii_feature", {}};
   int ridges = 0, valleys = 0, vertices = 0;
-  for (const FeatureKind k : found.kind) {
+  for (const FeatureKind k : in_order_of(canonical.caller, found.kind)) {
     kind.values.push_back(float(k));
     vertices += k != FeatureKind::none;
     if (request.output.colorize)
@@ -202,10 +212,10 @@ FeatureOutcome compute_feature(FilterId filter, const TriangleMesh& mesh, const 
                                const ProgressCallback& progress)
 {
   switch (filter) {
-    case FilterId::ridges_and_valleys: return ridges_and_valleys(mesh, request, progress);
-    case FilterId::crest_lines: return crest_lines(mesh, request, progress);
-    case FilterId::principal_directions: return principal_directions(mesh, request, progress);
-    case FilterId::signature: return signature(mesh, request, progress);
+    case FilterId::ridges_and_valleys: return ridges_and_valleys(in_canonical_order(mesh), request, progress);
+    case FilterId::crest_lines: return crest_lines(in_canonical_order(mesh).mesh, request, progress);
+    case FilterId::principal_directions: return principal_directions(in_canonical_order(mesh).mesh, request, progress);
+    case FilterId::signature: return signature(mesh, request, progress);  // no stage of it depends on the order
     case FilterId::curvature: break;
   }
   throw ParameterError("The filter for curvatures leaves no features.");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// accuracy peers|ours|cost [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
+// accuracy peers|ours|cost|oracle [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
 //
 // cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
 // each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
-// cell, judged at the same vertices of the same noisy meshes.
+// cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -15,6 +15,7 @@
 #include "cells.h"
 #include "estimate.h"
 #include "integral_invariant/pipeline.h"
+#include "oracle.h"
 #include "peers/peer.h"
 #include "resource_use.h"
 #include "support/shapes.h"
@@ -40,8 +41,8 @@ Options read_options(int argc, char** argv)
     if (!std::strcmp(argv[i], "--cells")) o.filter = argv[i + 1];
     if (!std::strcmp(argv[i], "--part")) std::sscanf(argv[i + 1], "%d/%d", &o.part, &o.parts);
   }
-  if ((o.mode != "peers" && o.mode != "ours" && o.mode != "cost") || argc % 2)
-    throw std::invalid_argument("usage: accuracy peers|ours|cost [--models FOLDER] [--cells TEXT] [--part I/N]");
+  if ((o.mode != "peers" && o.mode != "ours" && o.mode != "cost" && o.mode != "oracle") || argc % 2)
+    throw std::invalid_argument("usage: accuracy peers|ours|cost|oracle [--models FOLDER] [--cells TEXT] [--part I/N]");
   return o;
 }
 
@@ -137,6 +138,8 @@ try {
   const Options options = read_options(argc, argv);
   if (options.mode == "cost")
     std::puts("shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds");
+  else if (options.mode == "oracle")
+    print_oracle_header();
   else
     print_header();
   TruthMesh truth;
@@ -151,6 +154,8 @@ try {
     if (options.mode == "peers") run_peers(cell, truth);
     if (options.mode == "ours") run_ours(cell, truth);
     if (options.mode == "cost") run_cost(cell, truth);
+    if (options.mode == "oracle")
+      print_oracle(cell, truth, with_noise(truth, cell.sigma, cell.seed()));
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

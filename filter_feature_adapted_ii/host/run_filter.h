@@ -41,13 +41,32 @@ inline RunReport run_curvature(MeshModel& model, const Request& request, const P
   return report;
 }
 
+/// Takes a layer out of the document. By its address in 2020.09, by its number in later releases.
+template <class Document, class Model>
+auto remove_layer(Document& document, Model* layer) -> decltype(document.delMesh(layer), void())
+{
+  document.delMesh(layer);
+}
+template <class Document, class Model>
+auto remove_layer(Document& document, Model* layer) -> decltype(document.delMesh(layer->id()), void())
+{
+  document.delMesh(layer->id());
+}
+
+/// Adds the lines as the current layer; where memory runs out, the document is left as it was.
 inline void add_layer(MeshDocument& document, const LineLayer& lines)
 {
-  const Matrix44m transform = document.mm()->cm.Tr;
+  const MeshModel& source = *document.mm();
   MeshModel* layer = document.addNewMesh(QString(), QString::fromStdString(lines.label));
-  layer->updateDataMask(MeshModel::MM_VERTQUALITY | (lines.colors.empty() ? MeshModel::MM_NONE : MeshModel::MM_VERTCOLOR));
-  fill_with_lines(layer->cm, lines);
-  layer->cm.Tr = transform;
+  try {
+    layer->updateDataMask(MeshModel::MM_VERTQUALITY | (lines.colors.empty() ? MeshModel::MM_NONE : MeshModel::MM_VERTCOLOR));
+    fill_with_lines(layer->cm, lines);
+    layer->cm.Tr = source.cm.Tr;
+  } catch (...) {
+    remove_layer(document, layer);
+    document.setCurrentMesh(source.id());
+    throw;
+  }
 }
 
 inline RunReport run_feature(FilterId filter, MeshDocument& document, const Request& request, const ProgressCallback& progress)

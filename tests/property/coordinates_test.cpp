@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
 
 #include "integral_invariant/pipeline.h"
 #include "integral_invariant/support/error.h"
@@ -95,26 +93,4 @@ TEST(CoordinatesRefused, WhenSinglePrecisionHoldsNothingOfTheShape)
 {
   // At 1e8 single precision has steps of 8, and the whole torus falls into one point.
   EXPECT_THROW(compute_curvature(in_single_precision(translated(sample(), {1e8, 1e8, 1e8})), {}, {}), InputError);
-}
-
-TEST_P(Coordinates, OrderOfTheVerticesMovesTheLastBitsAtMost)
-{
-  const TriangleMesh mesh = sample();
-  const std::size_t n = mesh.positions.size();
-  std::vector<std::int32_t> place(n);
-  std::iota(place.begin(), place.end(), 0);
-  std::shuffle(place.begin(), place.end(), std::mt19937(2));
-  TriangleMesh shuffled{std::vector<Vec3>(n), mesh.triangles};
-  for (std::size_t v = 0; v < n; ++v) shuffled.positions[std::size_t(place[v])] = mesh.positions[v];
-  for (Triangle& t : shuffled.triangles)
-    for (std::int32_t& v : t) v = place[std::size_t(v)];
-  const Result reference = run(mesh), result = run(shuffled);
-  Result back = reference;
-  for (std::size_t v = 0; v < n; ++v) {
-    back.kappa_max[v] = result.kappa_max[std::size_t(place[v])];
-    back.kappa_min[v] = result.kappa_min[std::size_t(place[v])];
-  }
-  const Difference d = difference(reference, back);
-  // Exact but for the order of the corners within a triangle, and of sums over the mesh; single precision in grids.
-  EXPECT_LT(d.largest, GetParam().engine == EngineKind::volume_fft ? 1e-6 : 1e-13);
 }

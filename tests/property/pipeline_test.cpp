@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
 
 #include "support/shapes.h"
 
@@ -113,25 +111,6 @@ TEST_P(Pipeline, ScaleDoesNotMatter)
     EXPECT_LT(largest_difference(reference.kappa_min, result.kappa_min, scale), 2e-5) << scale;
     EXPECT_LT(largest_difference(reference.radius, result.radius, 1 / scale), 1e-3) << scale;
   }
-}
-
-TEST_P(Pipeline, VertexOrderDoesNotMatter)
-{
-  const TriangleMesh mesh = sample();
-  const std::size_t n = mesh.positions.size();
-  std::vector<int> place(n);
-  std::iota(place.begin(), place.end(), 0);
-  std::shuffle(place.begin(), place.end(), std::mt19937(2));
-  TriangleMesh shuffled{std::vector<Vec3>(n), mesh.triangles};
-  for (std::size_t v = 0; v < n; ++v) shuffled.positions[place[v]] = mesh.positions[v];
-  for (Triangle& t : shuffled.triangles)
-    for (int& v : t) v = place[v];
-  std::shuffle(shuffled.triangles.begin(), shuffled.triangles.end(), std::mt19937(3));
-
-  const Result reference = compute_curvature(mesh, parameters()), result = compute_curvature(shuffled, parameters());
-  std::vector<double> back(n);
-  for (std::size_t v = 0; v < n; ++v) back[v] = result.kappa_max[place[v]];
-  EXPECT_LT(largest_difference(reference.kappa_max, back), 1e-5);
 }
 
 TEST_P(Pipeline, ThreadsDoNotChangeABit)

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The method of [Lai09] from mesh to curvatures: the paper's five steps, one call each; or all scales at once, weighted
 // by their evidence. Everything between the checked surface and the result is in normalised units (average edge length
-// 1).
+// 1) and in canonical order.
 #include "integral_invariant/pipeline.h"
 
+#include <cstdint>
 #include <sstream>
 #include <string>
 #include <utility>
 
+#include "integral_invariant/canonical_order.h"
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/offset_free.h"
 #include "integral_invariant/curvature/scale_blend.h"
@@ -108,9 +110,9 @@ void write_vertex(const CurvatureTensor& tensor, double radius, double unit, std
   result.confidence[v] = float(tensor.confidence);
 }
 
-/// Steps 2 to 5: a radius for every vertex, and curvatures and directions there.
-void curvature_at_one_radius(const Surface& surface, const TensorField& tensors, const Parameters& p, Result& result,
-                             Execution& execution)
+/// Steps 2 to 5: a radius for every vertex, and curvatures and directions there. `caller`: see CanonicalMesh.
+void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint32_t>& caller, const TensorField& tensors,
+                             const Parameters& p, Result& result, Execution& execution)
 {
   std::vector<double> radii(surface.vertex_count(), tensors.radii().front());
   result.converged = radii.size();
@@ -119,13 +121,13 @@ void curvature_at_one_radius(const Surface& surface, const TensorField& tensors,
   execution.begin_stage("principal curvatures", 100);
   parallel_for(radii.size(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v)
-      write_vertex(tensors.at_radius(v, radii[v]), radii[v], surface.unit(), v, result);
+      write_vertex(tensors.at_radius(v, radii[v]), radii[v], surface.unit(), caller[v], result);
   });
 }
 
 /// Steps 2 to 5 by statistics: all scales of every vertex, weighted by their evidence.
-void curvature_by_evidence(const Surface& surface, OffsetFreeField field, const Parameters& p, Result& result,
-                           Execution& execution)
+void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32_t>& caller, OffsetFreeField field,
+                           const Parameters& p, Result& result, Execution& execution)
 {
   execution.begin_stage("noise", 83);
   const std::vector<VertexFit> fits = fit_vertices(surface, field.tensors, execution);
@@ -140,8 +142,8 @@ void curvature_by_evidence(const Surface& surface, OffsetFreeField field, const 
   result.converged = surface.vertex_count();
   result.noise = noise.mean_sigma * surface.unit();
   for (std::size_t v = 0; v < best.tensor.size(); ++v) {
-    write_vertex(best.tensor[v], best.radius[v], surface.unit(), v, result);
-    result.standard_error[v] = best.standard_error[v] / surface.unit();
+    write_vertex(best.tensor[v], best.radius[v], surface.unit(), caller[v], result);
+    result.standard_error[caller[v]] = best.standard_error[v] / surface.unit();
   }
 }
 
@@ -169,7 +171,7 @@ void describe_run(const Surface& surface, const std::vector<double>& scales, con
 void require_memory_for_arrays(std::size_t vertices, std::size_t scales, std::size_t limit_mb)
 {
   constexpr std::size_t result_bytes = 4 * sizeof(double) + 3 * sizeof(Vec3) + sizeof(float);
-  constexpr std::size_t radius_bytes = 3 * sizeof(double) + sizeof(VertexFit);
+  constexpr std::size_t radius_bytes = 3 * sizeof(double) + sizeof(VertexFit) + sizeof(std::uint32_t);
   const double bytes = double(vertices) * double(TensorField::bytes_per_vertex(scales) + result_bytes + radius_bytes);
   require_memory(bytes, limit_mb, "Curvature at " + std::to_string(scales) + " scales of " + std::to_string(vertices) +
                  " vertices", "Reduce scales or the number of vertices");
@@ -184,7 +186,11 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   Result result;
 
   execution.begin_stage("checking the surface", 4);
-  const Surface surface(mesh);
+  CanonicalMesh canonical = in_canonical_order(mesh);
+  execution.report(0.5);
+  const Surface surface(canonical.mesh);
+  canonical.mesh = {};  // the surface has its own
+  const std::vector<std::uint32_t>& caller = canonical.caller;
   const std::vector<double> scales = scale_radii(parameters, surface.unit());
   require_sensible_noise(parameters.noise, surface.unit());
   require_memory_for_arrays(surface.vertex_count(), scales.size(), parameters.memory_limit_mb);
@@ -197,16 +203,16 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
     const TensorField tensors = tensors_at_all_scales(surface, *engine, scales, execution);
     engine.reset();  // before the arrays of the result: both would be the peak of memory
     resize_result(surface.vertex_count(), result);
-    curvature_at_one_radius(surface, tensors, parameters, result, execution);
+    curvature_at_one_radius(surface, caller, tensors, parameters, result, execution);
   } else {
     OffsetFreeField field = offset_free_at_all_scales(surface, *engine, scales, execution);
     engine.reset();
     resize_result(surface.vertex_count(), result);
     if (parameters.radius_choice == RadiusChoice::statistical) {
-      curvature_by_evidence(surface, std::move(field), parameters, result, execution);
+      curvature_by_evidence(surface, caller, std::move(field), parameters, result, execution);
     } else {
       if (parameters.estimator == Estimator::bias_free) remove_bias(field, execution);
-      curvature_at_one_radius(surface, field.tensors, parameters, result, execution);
+      curvature_at_one_radius(surface, caller, field.tensors, parameters, result, execution);
     }
   }
   execution.finish();

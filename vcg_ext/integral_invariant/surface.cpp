@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
+#include "integral_invariant/edge_list.h"
 #include "integral_invariant/support/error.h"
 
 namespace integral_invariant {
@@ -31,17 +31,10 @@ Buckets bucket(std::size_t items, std::size_t keys, const KeyOf& key_of)
   return b;
 }
 
-/// The same cyclic order, smallest index first.
-Triangle canonical(Triangle t)
-{
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
-}
-
 std::vector<Triangle> without_repetitions(const std::vector<Triangle>& triangles, std::size_t vertices)
 {
   std::vector<Triangle> key(triangles.size());
-  std::transform(triangles.begin(), triangles.end(), key.begin(), canonical);
+  std::transform(triangles.begin(), triangles.end(), key.begin(), smallest_first);
   Buckets b = bucket(triangles.size(), vertices, [&](std::size_t i) { return key[i][0]; });
   std::vector<char> repeated(triangles.size(), 0);
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -57,78 +50,25 @@ std::vector<Triangle> without_repetitions(const std::vector<Triangle>& triangles
   return kept;
 }
 
-/// An undirected edge and how its triangles pass it.
-struct Edge {
-  std::uint32_t low, high;
-  int forward, backward;  ///< passes from low to high, from high to low
-};
-
-/// Calls visit(Edge) once for each undirected edge, ordered by (low, high).
-template <class Visit>
-void for_each_edge(const std::vector<Triangle>& triangles, std::size_t vertices, const Visit& visit)
+bool closes(const std::vector<Edge>& edges)
 {
-  const auto low_end = [&](std::size_t side) {
-    const Triangle& t = triangles[side / 3];
-    return std::min(t[side % 3], t[(side + 1) % 3]);
-  };
-  const Buckets b = bucket(3 * triangles.size(), vertices, low_end);
-  struct Pass {
-    std::uint32_t high;
-    bool forward;
-  };
-  std::vector<Pass> passes;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    passes.clear();
-    for (std::uint32_t i = b.start[v]; i < b.start[v + 1]; ++i) {
-      const Triangle& t = triangles[b.order[i] / 3];
-      const std::uint32_t from = t[b.order[i] % 3], to = t[(b.order[i] + 1) % 3];
-      passes.push_back({std::max(from, to), from < to});
-    }
-    std::sort(passes.begin(), passes.end(), [](const Pass& p, const Pass& q) { return p.high < q.high; });
-    for (std::size_t i = 0; i < passes.size();) {
-      Edge edge{std::uint32_t(v), passes[i].high, 0, 0};
-      for (; i < passes.size() && passes[i].high == edge.high; ++i) ++(passes[i].forward ? edge.forward : edge.backward);
-      visit(edge);
-    }
-  }
+  return std::all_of(edges.begin(), edges.end(), [](const Edge& e) { return e.forward == e.backward; });
 }
-
-bool closes(const std::vector<Triangle>& triangles, std::size_t vertices)
-{
-  bool balanced = true;
-  for_each_edge(triangles, vertices, [&](const Edge& e) { balanced = balanced && e.forward == e.backward; });
-  return balanced;
-}
-
-bool is_finite(const Triangle& t, const std::vector<Vec3>& positions)
-{
-  return std::all_of(t.begin(), t.end(), [&](std::int32_t v) { return is_finite(positions[v]); });
-}
-
-struct Box {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-
-  void add(const Vec3& p)
-  {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
 
 }  // namespace
 
 Surface::Surface(const TriangleMesh& mesh)
 {
   take_triangles(mesh);
-  normalise(mesh);
-  drop_repetitions();
-  connect();
+  std::vector<Edge> edges = edge_list(triangles_, mesh.positions.size());
+  normalise(mesh, edges);
+  drop_repetitions(edges);
+  connect(edges);
   turn_outward();
 }
 
 void Surface::take_triangles(const TriangleMesh& mesh)
 {
-  const auto n = std::int64_t(mesh.positions.size());
   report_.vertices = mesh.positions.size();
   report_.triangles = mesh.triangles.size();
   if (mesh.triangles.empty())
@@ -136,18 +76,14 @@ void Surface::take_triangles(const TriangleMesh& mesh)
                      "for example with \"Surface Reconstruction: Screened Poisson\".");
   for (const Vec3& p : mesh.positions) report_.nonfinite_vertices += !is_finite(p);
 
+  require_valid_indices(mesh);
   triangles_.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::int32_t v : t)
-      if (v < 0 || v >= n)
-        throw InputError("A face refers to vertex " + std::to_string(v) + ", but the mesh has " + std::to_string(n) +
-                         " vertices. The mesh is damaged: load it anew or repair the file.");
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && is_finite(t, mesh.positions)) triangles_.push_back(t);
-  }
+  for (const Triangle& t : mesh.triangles)
+    if (is_proper(t, mesh.positions)) triangles_.push_back(t);
   report_.left_out_triangles = mesh.triangles.size() - triangles_.size();
 }
 
-void Surface::normalise(const TriangleMesh& mesh)
+void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges)
 {
   Box box;
   std::vector<char> used(mesh.positions.size(), 0);
@@ -176,12 +112,8 @@ void Surface::normalise(const TriangleMesh& mesh)
       positions_[v] = {p.x / size, p.y / size, p.z / size};
     }
   double length = 0;
-  std::size_t edges = 0;
-  for_each_edge(triangles_, positions_.size(), [&](const Edge& e) {
-    length += norm(positions_[e.low] - positions_[e.high]);
-    ++edges;
-  });
-  const double average = length / double(edges);
+  for (const Edge& e : edges) length += norm(positions_[e.low] - positions_[e.high]);
+  const double average = length / double(edges.size());
   // Under it, a coordinate has less than three digits within an edge.
   constexpr double smallest_edge = 1e-12;
   if (!(average >= smallest_edge))
@@ -192,38 +124,38 @@ void Surface::normalise(const TriangleMesh& mesh)
   diagonal_ = norm({extent.x / size, extent.y / size, extent.z / size}) / average;
 }
 
-void Surface::drop_repetitions()
+void Surface::drop_repetitions(std::vector<Edge>& edges)
 {
+  const auto repeats = [](const Edge& e) { return e.forward > 1 || e.backward > 1; };
+  if (std::none_of(edges.begin(), edges.end(), repeats)) return;
   std::vector<Triangle> kept = without_repetitions(triangles_, positions_.size());
   report_.duplicate_triangles = triangles_.size() - kept.size();
   if (kept.size() == triangles_.size()) return;
-  if (closes(kept, positions_.size()) || !closes(triangles_, positions_.size())) triangles_ = std::move(kept);
+  std::vector<Edge> kept_edges = edge_list(kept, positions_.size());
+  if (!closes(kept_edges) && closes(edges)) return;
+  triangles_ = std::move(kept);
+  edges = std::move(kept_edges);
 }
 
-void Surface::connect()
+void Surface::connect(const std::vector<Edge>& edges)
 {
   const std::size_t n = positions_.size();
-  std::vector<std::uint32_t> low, high;
-  for_each_edge(triangles_, n, [&](const Edge& e) {
-    low.push_back(e.low);
-    high.push_back(e.high);
+  neighbour_start_.assign(n + 1, 0);
+  for (const Edge& e : edges) {
     report_.boundary_edges += e.forward + e.backward == 1;
     report_.inconsistent_edges += e.forward + e.backward > 1 && e.forward != e.backward;
-  });
-  neighbour_start_.assign(n + 1, 0);
-  for (std::size_t e = 0; e < low.size(); ++e) {
-    ++neighbour_start_[low[e] + 1];
-    ++neighbour_start_[high[e] + 1];
+    ++neighbour_start_[e.low + 1];
+    ++neighbour_start_[e.high + 1];
   }
   for (std::size_t v = 0; v < n; ++v) {
     report_.unreferenced_vertices += neighbour_start_[v + 1] == 0;
     neighbour_start_[v + 1] += neighbour_start_[v];
   }
   // Edges come ordered by (low, high), so every list fills in increasing order.
-  neighbours_.resize(2 * low.size());
+  neighbours_.resize(2 * edges.size());
   std::vector<std::uint32_t> next(neighbour_start_.begin(), neighbour_start_.end() - 1);
-  for (std::size_t e = 0; e < low.size(); ++e) neighbours_[next[high[e]]++] = low[e];
-  for (std::size_t e = 0; e < low.size(); ++e) neighbours_[next[low[e]]++] = high[e];
+  for (const Edge& e : edges) neighbours_[next[e.high]++] = e.low;
+  for (const Edge& e : edges) neighbours_[next[e.low]++] = e.high;
 }
 
 void Surface::turn_outward()

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/support/vec3.h"
+#include "integral_invariant/triangle_mesh.h"
 
 namespace integral_invariant {
 
-using Triangle = std::array<std::int32_t, 3>;
-
-/// A triangle mesh as the caller has it: n vertices, m triangles, oriented outward.
-struct TriangleMesh {
-  std::vector<Vec3> positions;       ///< n, in the caller's unit
-  std::vector<Triangle> triangles;   ///< m, indices into positions
-};
+struct Edge;
 
 /// What was found on checking a mesh. Counts only: nothing is repaired, deleted or renumbered.
 struct SurfaceReport {
@@ -59,12 +52,11 @@ class Surface {
   bool is_closed() const { return report_.boundary_edges == 0 && report_.inconsistent_edges == 0; }
   const SurfaceReport& report() const { return report_; }
 
-
  private:
   void take_triangles(const TriangleMesh& mesh);
-  void normalise(const TriangleMesh& mesh);
-  void drop_repetitions();
-  void connect();
+  void normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges);
+  void drop_repetitions(std::vector<Edge>& edges);
+  void connect(const std::vector<Edge>& edges);
   void turn_outward();
 
   std::vector<Vec3> positions_;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "integral_invariant/canonical_order.h"
 #include "integral_invariant/curvature/tensor.h"
 #include "integral_invariant/moments/engine.h"
 #include "integral_invariant/radius/scales.h"
@@ -48,7 +49,10 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   validate(ladder);
   Execution execution(parameters.threads, progress);
   execution.begin_stage("checking the surface", 4);
-  const Surface surface(mesh);
+  CanonicalMesh canonical = in_canonical_order(mesh);
+  execution.report(0.5);
+  const Surface surface(canonical.mesh);
+  canonical.mesh = {};  // the surface has its own
   const std::vector<double> radii = scale_radii(ladder, surface.unit());
   Signature signature;
   allocate(signature, surface.vertex_count(), radii.size(), parameters.memory_limit_mb);
@@ -58,7 +62,8 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   const double unit = surface.unit();
   engine->evaluate(
       radii,
-      [&](std::size_t v, int scale, const BallMoments& moments) {
+      [&](std::size_t vertex, int scale, const BallMoments& moments) {
+        const std::size_t v = canonical.caller[vertex];
         const PrincipalCurvatures k = principal_curvatures(curvature_tensor(moments, radii[scale]));
         signature.values[0][scale][v] = storable(volume_invariant(moments.volume, radii[scale]));
         signature.values[1][scale][v] = storable((k.kappa_max + k.kappa_min) / (2 * unit));

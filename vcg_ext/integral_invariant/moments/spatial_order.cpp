@@ -3,45 +3,17 @@
 #include "integral_invariant/moments/spatial_order.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "integral_invariant/moments/compact_order.h"
+#include "integral_invariant/support/hilbert_curve.h"
 
 namespace integral_invariant {
 
 namespace {
-
-constexpr int curve_bits = 20;  // per axis: 2^-20 of the box is far below an edge of any mesh that fits in memory
-
-/// Index along the Hilbert curve of the cell (x, y, z): Gray code of the bits, with the axes exchanged and reflected on
-/// the way down so that each octant's curve starts where the one before it ended.
-std::uint64_t hilbert_index(std::array<std::uint32_t, 3> cell)
-{
-  for (std::uint32_t bit = 1u << (curve_bits - 1); bit > 1; bit >>= 1) {
-    for (std::uint32_t& axis : cell) {
-      if (axis & bit) {
-        cell[0] ^= bit - 1;
-      } else {
-        const std::uint32_t exchanged = (cell[0] ^ axis) & (bit - 1);
-        cell[0] ^= exchanged;
-        axis ^= exchanged;
-      }
-    }
-  }
-  cell[1] ^= cell[0];
-  cell[2] ^= cell[1];
-  std::uint32_t reflected = 0;
-  for (std::uint32_t bit = 1u << (curve_bits - 1); bit > 1; bit >>= 1)
-    if (cell[2] & bit) reflected ^= bit - 1;
-  std::uint64_t index = 0;
-  for (int b = curve_bits - 1; b >= 0; --b)
-    for (const std::uint32_t axis : cell) index = index << 1 | ((axis ^ reflected) >> b & 1);
-  return index;
-}
 
 struct Key {
   std::uint64_t index;
@@ -51,25 +23,17 @@ struct Key {
 std::vector<Key> sorted_keys(const Surface& surface)
 {
   const std::vector<Vec3>& positions = surface.positions();
-  // The box is centred at 0 and no longer than its diagonal; cells are cubes.
-  const double cells = double(1u << curve_bits), half = std::max(0.5 * surface.diagonal(), 1e-300);
-  const auto cell = [&](double x) {
-    return std::uint32_t(std::clamp((x + half) / (2 * half) * cells, 0.0, cells - 1));
-  };
+  // The box is centred at 0 and no longer than its diagonal.
+  const std::vector<std::uint64_t> along = HilbertCurve({}, 0.5 * surface.diagonal()).indices(positions);
   std::vector<Key> keys;
   keys.reserve(positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v)
-    if (surface.is_referenced(v))
-      keys.push_back({hilbert_index({cell(positions[v].x), cell(positions[v].y), cell(positions[v].z)}),
-                      std::uint32_t(v)});
-  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
-    if (a.index != b.index) return a.index < b.index;
-    const Vec3 &p = positions[a.vertex], &q = positions[b.vertex];
-    if (p.x != q.x) return p.x < q.x;
-    if (p.y != q.y) return p.y < q.y;
-    if (p.z != q.z) return p.z < q.z;
-    return a.vertex < b.vertex;
-  });
+    if (surface.is_referenced(v)) keys.push_back({along[v], std::uint32_t(v)});
+  const auto less = [&](const Key& a, const Key& b) {
+    return a.index != b.index ? a.index < b.index : precedes(a.vertex, b.vertex, positions);
+  };
+  // A mesh in canonical order is sorted but for rounding.
+  if (!std::is_sorted(keys.begin(), keys.end(), less)) std::sort(keys.begin(), keys.end(), less);
   return keys;
 }
 
@@ -82,8 +46,8 @@ constexpr int merged_levels = 5;
 std::vector<int> merged_bits(const Surface& surface, const std::vector<Key>& keys)
 {
   const double edges_across = std::max(1.0, surface.diagonal());  // the average edge is 1
-  const int level = std::clamp(int(std::log2(edges_across)), 0, curve_bits - merged_levels);
-  const int cell_bits = 3 * (curve_bits - level);
+  const int level = std::clamp(int(std::log2(edges_across)), 0, HilbertCurve::bits - merged_levels);
+  const int cell_bits = 3 * (HilbertCurve::bits - level);
   std::vector<int> bits(keys.size(), 0);
   for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
     while (end < keys.size() && keys[end].index >> cell_bits == keys[begin].index >> cell_bits) ++end;
@@ -142,12 +106,6 @@ void order_points(SpatialOrder& order, std::vector<std::uint32_t>& point_of, Exe
   order.points.swap(points);
   order.vertices.swap(vertices);
   order.vertex_start.swap(start);
-}
-
-Triangle smallest_first(Triangle t)
-{
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
 }
 
 void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& point_of, SpatialOrder& order,

@@ -85,19 +85,39 @@ class Chain {
     }
   }
 
-  /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias.
+  /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias. Where
+  /// details do not stand out of the noise, which vertices less than a radius apart share, it stays with r².
   void regress(int i)
   {
+    constexpr double doubt_share = 0.1;
     std::fill(slope_.begin(), slope_.end(), 0.0);
     if (!e_.predict || i + 2 >= int(scales_)) return;
-    std::vector<Pair> products(n_, Pair{});
-    for (std::size_t v = 0; v < n_; ++v)
-      if (i + 1 < e_.balls.largest[v] && is_measured(v, i))
-        products[v] = {dot(difference(v, i), states_[v].detail), dot(states_[v].detail, states_[v].detail)};
+    std::vector<std::array<double, 4>> products(n_);
+    for (std::size_t v = 0; v < n_; ++v) {
+      products[v] = {};
+      if (i + 1 >= e_.balls.largest[v] || !is_measured(v, i)) continue;
+      const double square = dot(states_[v].detail, states_[v].detail);
+      products[v] = {dot(difference(v, i), states_[v].detail), square, square * square, 1};
+    }
     const auto sums = e_.pools[std::size_t(i)].sums(products);
-    const double largest = gap(i) / gap(i + 1);
-    for (std::size_t v = 0; v < n_; ++v)
-      if (sums[v][1] > 0) slope_[v] = std::clamp(sums[v][0] / sums[v][1], 0.0, largest);
+    const double square_law = gap(i) / gap(i + 1), sharing = e_.radii[std::size_t(i)] * e_.radii[std::size_t(i)];
+    for (std::size_t v = 0; v < n_; ++v) {
+      const auto& [product, square, fourth_power, count] = sums[v];
+      const double noise = signal_.components * noise_between(v, i), doubt = doubt_share * sharing * noise;
+      if (square + doubt > 0)
+        slope_[v] = std::clamp((product + doubt * square_law) / (square + doubt), 0.0,
+                               square_law * steepness(square, fourth_power, count, noise));
+    }
+  }
+
+  /// How much more than r² the differences of a neighbourhood may carry on: balls as large as the bumps no longer see
+  /// them, and their differences flatten out. But at a crease few differences are much larger than the others, which
+  /// would take them for theirs; and where they are far over the noise, the smaller scale speaks for itself.
+  static double steepness(double square, double fourth_power, double count, double noise)
+  {
+    constexpr double largest = 1.5, largest_kurtosis = 3, evident_detail = 25;
+    const bool is_even = fourth_power * count <= largest_kurtosis * square * square;
+    return is_even && square <= evident_detail * noise * count ? largest : 1;
   }
 
   void update(int i)

@@ -38,10 +38,11 @@ struct ChainResult {
 /// + Σ d̂_i, d̂_i = β_i d̂_{i+1} + w_i (Y_i − Y_{i+1} − β_i d̂_{i+1}).
 ///
 /// A Kalman filter whose model is measured on the surface itself: β_i, how much of a difference follows from the one
-/// before (bias grows as r², so at most (r_{i+1}² − r_i²)/(r_{i+2}² − r_{i+1}²)), is a regression over the
-/// neighbourhood; w_i = P/(P + N) with N the noise's variance and P the mean square of the innovations over the
-/// neighbourhood less N. Where a scale shows nothing but noise P is 0 and nothing is added; where it shows shape w is 1
-/// and the larger scales cancel. Below the smallest scale the bias is extrapolated as r². Cost O(n · scales), about 3
+/// before (bias grows as r², which makes it (r_{i+1}² − r_i²)/(r_{i+2}² − r_{i+1}²); more where balls are as large as
+/// the bumps), is a regression over the neighbourhood; w_i = P/(P + N) with N the noise's variance and P the mean
+/// square of the innovations over the neighbourhood less N. Where a scale shows nothing but noise P is 0 and nothing
+/// is added; where it shows shape w is 1 and the larger scales cancel. Below the smallest scale the bias is
+/// extrapolated as r². Cost O(n · scales), about 3
 /// µs a vertex and scale.
 ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence);
 

@@ -22,8 +22,8 @@ struct StatisticalCurvature {
 
 /// Mean curvature, deviator and normal each go through a scale chain of their own (scale_chain.h): they have different
 /// noise and different bias. `tensors` are offset-free, `offsets` theirs (n × scales); with Estimator::bias_free they
-/// lose their own bias first, and scales predict each other. Changes `tensors`. Cost O(n · scales), about 15 µs a vertex
-/// and scale.
+/// lose their own bias first, and scales predict each other. Changes `tensors`. Cost O(n · scales), about 15 µs
+/// a vertex and scale.
 StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<float>& offsets,
                                     const std::vector<VertexFit>& fits, const Noise& noise, Estimator estimator,
                                     Execution& execution);

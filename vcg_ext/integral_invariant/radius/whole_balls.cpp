@@ -29,18 +29,19 @@ bool has_cut_ball(std::size_t v, const Surface& surface, const WholeBalls& balls
 bool is_usable(const VertexFit& fit)
 {
   constexpr double largest_variance = 1e12;
-  return fit.tensor.confidence > 0 && fit.mean_variance <= largest_variance && fit.deviator_variance <= largest_variance &&
-         fit.normal_variance <= largest_variance;
+  return fit.tensor.confidence > 0 && fit.mean_variance <= largest_variance &&
+         fit.deviator_variance <= largest_variance && fit.normal_variance <= largest_variance;
 }
 
-/// Noise, and what a smooth surface has beyond the second degree: more is a crease that runs through the disc.
+/// Noise, and what a smooth surface has beyond the second degree: on a surface with creases, more is one that runs
+/// through the disc.
 bool fits_well(const VertexFit& fit, double sigma)
 {
   constexpr double deviations = 2, shape_share = 0.04;
   return std::sqrt(fit.residual) <= deviations * sigma + shape_share * fit.reach;
 }
 
-void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, bool is_crease, VertexFitter& fitter,
+void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, const Creases& creases, VertexFitter& fitter,
                         bool removes_bias, TensorField& tensors, WholeBalls& balls)
 {
   constexpr std::size_t usual_scale = 3;
@@ -50,12 +51,13 @@ void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, bool is_crease
   const VertexFit rough = fitter.discs(v, normal, {radii[usual]}).front();
   if (rough.tensor.confidence > 0) normal = rough.tensor.normal;
   const std::vector<VertexFit>& fits = fitter.discs(v, normal, radii);
+  const bool has_creases = !creases.is_crease.empty();
   bool has_any = balls.origin[v * radii.size()] == Origin::own;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::size_t place = v * radii.size() + i;
     // Half a disc of two rows of vertices leaves a quadric all but free.
     if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius || !is_usable(fits[i])) continue;
-    if (!fits_well(fits[i], sigma)) break;
+    if (has_creases && !fits_well(fits[i], sigma)) break;
     const CurvatureTensor t = removes_bias ? without_graph_bias(fits[i].tensor, radii[i]) : fits[i].tensor;
     tensors.set(v, int(i), {t.k, t.normal, least_confidence});
     balls.origin[place] = Origin::vertices;
@@ -63,7 +65,7 @@ void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, bool is_crease
     balls.variance[place] = {float(fits[i].mean_variance), float(fits[i].deviator_variance),
                              float(fits[i].normal_variance)};
   }
-  if (has_any || is_crease) return;
+  if (has_any || (has_creases && creases.is_crease[v])) return;
   // Where all discs are too small or turn away, there are the nearest vertices.
   const VertexFit nearest = fitter.nearest(v, normal);
   if (!is_usable(nearest)) return;
@@ -87,8 +89,7 @@ void replace_cut_balls(const Surface& surface, const Noise& noise, const Creases
     VertexFitter fitter(surface, creases.is_crease);
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = cut[i];
-      const bool is_crease = !creases.is_crease.empty() && creases.is_crease[v];
-      fill_from_vertices(v, normals[v], noise.sigma[v], is_crease, fitter, removes_bias, tensors, balls);
+      fill_from_vertices(v, normals[v], noise.sigma[v], creases, fitter, removes_bias, tensors, balls);
     }
   }, 0.15, 0.2);
 }
@@ -98,8 +99,9 @@ void replace_cut_balls(const Surface& surface, const Noise& noise, const Creases
 /// against the noise read anything, and are bounded.
 void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorField& tensors, WholeBalls& balls)
 {
-  // least_kr leaves room for the errors of the engine.
-  constexpr double least_kr = 0.3, largest_kr = 2, second_order = 4, offset_deviations = 4, offset_share = 0.1;
+  // Below least_kr there is room for the errors of the engine.
+  constexpr double least_kr = 0.3, largest_bent_kr = 1.3, largest_kr = 2;
+  constexpr double offset_deviations = 4, second_order = 4, offset_share = 0.1;
   const std::vector<double>& radii = tensors.radii();
   bool meets_other_sheet = false;
   for (std::size_t i = 0; i < radii.size(); ++i) {
@@ -110,7 +112,8 @@ void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorFie
       meets_other_sheet = meets_other_sheet || radii[i] > least_radius_over_sigma * sigma;
     }
     const double of_noise = offset_deviations * sigma * (1 + second_order * sigma * sigma);
-    const double of_shape = offset_share * std::clamp(kr, least_kr, largest_kr) * radii[i];
+    const double bent = std::clamp(kr, least_kr, largest_bent_kr);
+    const double of_shape = offset_share * bent * std::max(1.0, bent * bent) * radii[i];
     if (std::abs(double(offsets[i])) > of_noise + of_shape) meets_other_sheet = true;
     if (t.confidence >= least_confidence && !meets_other_sheet) balls.origin[v * radii.size() + i] = Origin::own;
   }
@@ -128,7 +131,7 @@ void give_up_creased_balls(const Creases& creases, const std::vector<double>& ra
 }
 
 /// On a crease every scale says something else, 1/r: the smallest that noise leaves speaks for it, and nothing of it
-/// enters the averages over the neighbourhood. Not where the ball sees another sheet and discs have been fitted instead.
+/// enters the averages over the neighbourhood. Not where the ball sees another sheet and discs have been fitted.
 void keep_one_scale_on_creases(const Creases& creases, const std::vector<double>& radii, const Noise& noise,
                                WholeBalls& balls)
 {

@@ -24,7 +24,7 @@ struct WholeBalls {
 };
 
 /// A ball that misses more than a twentieth of its disc (the surface ends there), meets another sheet, or reaches over
-/// a crease gives way to a fit to the vertices of what is left of the disc (VertexFitter::discs), which ends at creases.
+/// a crease gives way to a fit to vertices of what is left of the disc (VertexFitter::discs), which ends at creases.
 /// What a quadric does not fit, and larger discs, say nothing. `offsets` are those of offset_free_measure(), scale by
 /// scale for each vertex. A vertex's largest scale is the one before balls stop being nearly a half: where |κ| r passes
 /// 1.3 or the normal turns away, because the ball meets another sheet or the whole of a small part; on a crease it is

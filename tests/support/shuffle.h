@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same mesh in another order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "integral_invariant/triangle_mesh.h"
+
+namespace test_support {
+
+struct ShuffledMesh {
+  integral_invariant::TriangleMesh mesh;
+  std::vector<std::int32_t> place;  ///< vertex v of the original is vertex place[v] here
+
+  /// What belongs to the vertices here, in the order of the original.
+  template <class Value>
+  std::vector<Value> back(const std::vector<Value>& values) const
+  {
+    std::vector<Value> original;
+    for (const std::int32_t v : place) original.push_back(values.at(std::size_t(v)));
+    return original;
+  }
+};
+
+/// Vertices and faces in a random order, each face from a random corner on; same seed, same order.
+ShuffledMesh shuffled(const integral_invariant::TriangleMesh& mesh, std::uint32_t seed);
+
+}  // namespace test_support
