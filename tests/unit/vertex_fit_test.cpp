@@ -37,6 +37,14 @@ TriangleMesh graph(int side, const std::function<double(double, double)>& height
 
 std::size_t centre_of(const Surface& surface) { return (surface.vertex_count() - 1) / 2; }
 
+std::vector<VertexFit> discs(VertexFitter& fitter, std::size_t v, const std::vector<double>& radii)
+{
+  std::vector<VertexFit> fits;
+  fitter.start_disc(v, {0, 0, 1});
+  for (const double r : radii) fits.push_back(fitter.grow_disc(r));
+  return fits;
+}
+
 }  // namespace
 
 TEST(VertexFit, PolynomialOfDegreeFourIsExact)
@@ -93,7 +101,7 @@ TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)
   VertexFitter fitter(surface);
   const std::vector<double> radii{0.5, 3, 6};
   for (const std::size_t v : {centre_of(surface), centre_of(surface) + 12}) {
-    const std::vector<VertexFit> fits = fitter.discs(v, {0, 0, 1}, radii);
+    const std::vector<VertexFit> fits = discs(fitter, v, radii);
     EXPECT_EQ(fits[0].tensor.confidence, 0) << "too few vertices";
     for (int i : {1, 2}) {
       ASSERT_EQ(fits[i].tensor.confidence, 1);
@@ -103,8 +111,8 @@ TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)
     EXPECT_LT(fits[2].mean_variance, fits[1].mean_variance);
   }
   // On the boundary half of the disc is left, and the fit less sure.
-  const double whole = fitter.discs(centre_of(surface), {0, 0, 1}, radii)[2].mean_variance;
-  EXPECT_GT(fitter.discs(centre_of(surface) + 12, {0, 0, 1}, radii)[2].mean_variance, 3 * whole);
+  const double whole = discs(fitter, centre_of(surface), radii)[2].mean_variance;
+  EXPECT_GT(discs(fitter, centre_of(surface) + 12, radii)[2].mean_variance, 3 * whole);
 }
 
 TEST(VertexFit, DiscsEndAtABarrierAndTellWhatTheyDoNotFit)
@@ -117,8 +125,8 @@ TEST(VertexFit, DiscsEndAtABarrierAndTellWhatTheyDoNotFit)
   for (std::size_t u = 0; u < barrier.size(); ++u)
     barrier[u] = (surface.positions()[u].x - centre_x) * unit > fold - 0.25;
   const std::vector<double> radii{2.5, 6};
-  const VertexFit across = VertexFitter(surface).discs(v, {0, 0, 1}, radii)[1];
-  const VertexFit within = VertexFitter(surface, barrier).discs(v, {0, 0, 1}, radii)[1];
+  VertexFitter everywhere(surface), on_this_side(surface, barrier);
+  const VertexFit across = discs(everywhere, v, radii)[1], within = discs(on_this_side, v, radii)[1];
   EXPECT_GT(across.residual, 0.01);
   EXPECT_GT(std::abs(across.tensor.k.trace()), 0.01);
   EXPECT_NEAR(within.residual, 0, 1e-12);

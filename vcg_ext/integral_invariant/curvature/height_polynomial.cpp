@@ -20,13 +20,23 @@ void monomials(double x, double y, int degree, Coefficients& m)
   }
 }
 
-void HeightSystem::add(const Coefficients& m, double height, double weight, int degree)
+template <int count>
+void HeightSystem::add_terms(const Coefficients& m, double height, double weight)
 {
-  const int n = coefficient_count(degree);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < count; ++i) {
     const double weighted = weight * m[i];
     for (int j = 0; j <= i; ++j) a_[i][j] += weighted * m[j];
     b_[i] += weighted * height;
+  }
+}
+
+void HeightSystem::add(const Coefficients& m, double height, double weight, int degree)
+{
+  // Loops of known lengths: this is called most.
+  switch (degree) {
+    case 4: return add_terms<coefficient_count(4)>(m, height, weight);
+    case 3: return add_terms<coefficient_count(3)>(m, height, weight);
+    default: return add_terms<coefficient_count(2)>(m, height, weight);
   }
 }
 

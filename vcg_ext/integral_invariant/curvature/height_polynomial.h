@@ -17,6 +17,7 @@ void monomials(double x, double y, int degree, Coefficients& result);
 /// Normal equations of a weighted least squares fit.
 class HeightSystem {
  public:
+  /// One place. \pre degree 2, 3 or 4, the same for all
   void add(const Coefficients& monomials, double height, double weight, int degree);
   /// Factors the system of the largest degree, up to the one given, that the places determine, and returns it; 0 where
   /// they leave even a plane open. add() cannot follow.
@@ -32,6 +33,8 @@ class HeightSystem {
   double inverse_form(Coefficients b, int degree) const;
 
  private:
+  template <int count>
+  void add_terms(const Coefficients& monomials, double height, double weight);
   void forward(Coefficients& x, int count) const;
 
   /// Lower triangle; then its Cholesky factor there and above the diagonal, with the inverse of what is on the diagonal.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace integral_invariant {
 
@@ -36,7 +37,7 @@ VertexFitter::Place VertexFitter::place_of(std::uint32_t u, const Vec3& centre, 
 {
   const Vec3 d = surface_.positions()[u] - centre;
   const double x = dot(d, frame.x), y = dot(d, frame.y);
-  return {x * x + y * y, x, y, dot(d, frame.normal)};
+  return {x * x + y * y, x, y, dot(d, frame.normal), u};
 }
 
 void VertexFitter::start_at(std::size_t v)
@@ -70,27 +71,6 @@ void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
       }
     }
     if (is_last) break;
-  }
-}
-
-void VertexFitter::walk_disc(std::size_t v, const HeightFrame& frame, double radius)
-{
-  const Vec3& centre = surface_.positions()[v];
-  start_at(v);
-  places_.push_back({0, 0, 0, 0});
-  for (std::size_t next = 0; next < queue_.size(); ++next) {
-    const std::uint32_t u = queue_[next];
-    for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e) {
-      const std::uint32_t w = surface_.neighbours()[e];
-      if (seen_[w] == stamp_) continue;
-      seen_[w] = stamp_;
-      if (barrier_ && (*barrier_)[w]) continue;
-      const Place place = place_of(w, centre, frame);
-      // Heights count too: where the surface turns away it is no graph.
-      if (place.squared_distance + place.height * place.height > radius * radius) continue;
-      places_.push_back(place);
-      queue_.push_back(w);
-    }
   }
 }
 
@@ -145,35 +125,66 @@ VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
   return fit;
 }
 
-const std::vector<VertexFit>& VertexFitter::discs(std::size_t v, const Vec3& normal, const std::vector<double>& radii)
+void VertexFitter::start_disc(std::size_t v, const Vec3& normal)
+{
+  start_at(v);
+  queue_.clear();
+  frame_ = HeightFrame(normal);
+  centre_ = surface_.positions()[v];
+  heights_ = {};
+  squares_ = 0;
+  disc_count_ = 0;
+  beyond_.assign(1, {0, 0, 0, 0, std::uint32_t(v)});
+}
+
+void VertexFitter::take_into_disc(const Place& place)
+{
+  Coefficients m{};
+  monomials(place.x, place.y, disc_degree, m);
+  heights_.add(m, place.height, 1, disc_degree);
+  squares_ += place.height * place.height;
+  ++disc_count_;
+  queue_.push_back(place.vertex);
+}
+
+VertexFit VertexFitter::grow_disc(double radius)
 {
   constexpr std::size_t least_count = 10;
-  const HeightFrame frame(normal);
-  const double unit = radii.back();
-  walk_disc(v, frame, unit);
-  std::sort(places_.begin(), places_.end(),
-            [](const Place& p, const Place& q) { return p.squared_distance < q.squared_distance; });
-  discs_.assign(radii.size(), {});
-  HeightSystem all;
-  Coefficients m{};
-  std::size_t used = 0;
-  double squares = 0;
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    for (; used < places_.size() && places_[used].squared_distance <= radii[i] * radii[i]; ++used) {
-      monomials(places_[used].x / unit, places_[used].y / unit, disc_degree, m);
-      all.add(m, places_[used].height, 1, disc_degree);
-      squares += places_[used].height * places_[used].height;
+  const double squared_radius = radius * radius;
+  // Heights count too: where the surface turns away it is no graph.
+  constexpr double steepest = 2;
+  const auto is_within = [&](const Place& p) {
+    return p.squared_distance <= squared_radius && p.height * p.height <= steepest * steepest * squared_radius;
+  };
+  const auto first_within = std::partition(beyond_.begin(), beyond_.end(), [&](const Place& p) { return !is_within(p); });
+  for (auto p = first_within; p != beyond_.end(); ++p) take_into_disc(*p);
+  beyond_.erase(first_within, beyond_.end());
+  for (std::size_t next = 0; next < queue_.size(); ++next) {
+    const std::uint32_t u = queue_[next];
+    for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e) {
+      const std::uint32_t w = surface_.neighbours()[e];
+      if (seen_[w] == stamp_) continue;
+      seen_[w] = stamp_;
+      if (barrier_ && (*barrier_)[w]) continue;
+      const Place place = place_of(w, centre_, frame_);
+      if (is_within(place))
+        take_into_disc(place);
+      else
+        beyond_.push_back(place);
     }
-    HeightSystem system = all;
-    if (used < least_count || system.factor(disc_degree) < disc_degree) continue;
-    discs_[i].reach = radii[i];
-    const Coefficients c = system.solution(disc_degree);
-    discs_[i].tensor = graph_curvature(c, frame, unit);
-    const double freedom = double(used) - coefficient_count(disc_degree);
-    discs_[i].residual = std::max(0.0, squares - all.explained(c, disc_degree)) / freedom;
-    set_variances([&](int k) { return system.inverse_form(*parts[k], disc_degree); }, unit, discs_[i]);
   }
-  return discs_;
+  queue_.clear();
+
+  HeightSystem system = heights_;
+  if (disc_count_ < least_count || system.factor(disc_degree) < disc_degree) return {};
+  VertexFit fit;
+  fit.reach = radius;
+  const Coefficients c = system.solution(disc_degree);
+  fit.tensor = graph_curvature(c, frame_, 1);
+  const double freedom = double(disc_count_) - coefficient_count(disc_degree);
+  fit.residual = std::max(0.0, squares_ - heights_.explained(c, disc_degree)) / freedom;
+  set_variances([&](int k) { return system.inverse_form(*parts[k], disc_degree); }, 1, fit);
+  return fit;
 }
 
 std::vector<Vec3> patch_normals(const Surface& surface)
@@ -212,8 +223,11 @@ std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& t
 {
   std::vector<VertexFit> fits(surface.vertex_count());
   const std::vector<Vec3> normals = patch_normals(surface);
-  parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int) {
-    VertexFitter fitter(surface);
+  std::vector<std::unique_ptr<VertexFitter>> fitters(std::size_t(execution.threads()));
+  parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int worker) {
+    auto& own = fitters[std::size_t(worker)];
+    if (!own) own = std::make_unique<VertexFitter>(surface);
+    VertexFitter& fitter = *own;
     for (std::size_t v = begin; v < end; ++v)
       if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, rough_normal(tensors, v, normals[v]));
   });

@@ -165,7 +165,7 @@ class Chain {
   /// Shape under the noise does not show: it is taken to be as large as could have hidden, but to fall with the scale.
   static void add_uncertainty(State& s, double weight, double shape, double noise, double slope)
   {
-    constexpr double hidden_share = 0.3, largest_decay = 0.5;
+    constexpr double hidden_share = 0.07, largest_decay = 0.5;
     shape = std::max(shape, std::min(hidden_share * noise, largest_decay * s.shape_variance));
     s.shape_variance = shape;
     const double lost = 1 - weight;

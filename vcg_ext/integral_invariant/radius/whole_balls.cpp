@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/vertex_fit.h"
@@ -41,6 +42,26 @@ bool fits_well(const VertexFit& fit, double sigma)
   return std::sqrt(fit.residual) <= deviations * sigma + shape_share * fit.reach;
 }
 
+/// Three standard deviations of what a fit to vertices says: its curvature, its normal.
+struct Doubt {
+  double curvature = 0, normal = 0;
+};
+
+Doubt doubt_of(std::size_t place, double sigma, const WholeBalls& balls)
+{
+  if (balls.origin[place] != Origin::vertices) return {};
+  const std::array<float, 3>& variance = balls.variance[place];
+  return {3 * sigma * std::sqrt(double(variance[0]) + double(variance[1])),
+          3 * sigma * std::sqrt(2 * double(variance[2]))};
+}
+
+/// Larger balls and discs say nothing: the surface turns away within this one.
+bool is_bent(const CurvatureTensor& tensor, double radius, const Doubt& doubt)
+{
+  constexpr double largest_kr = 1.3;
+  return (largest_absolute_curvature(tensor) - doubt.curvature) * radius > largest_kr;
+}
+
 void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, const Creases& creases, VertexFitter& fitter,
                         bool removes_bias, TensorField& tensors, WholeBalls& balls)
 {
@@ -48,22 +69,25 @@ void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, const Creases&
   constexpr double least_fit_radius = 2.5;
   const std::vector<double>& radii = tensors.radii();
   const std::size_t usual = std::min(usual_scale, radii.size() - 1);
-  const VertexFit rough = fitter.discs(v, normal, {radii[usual]}).front();
+  fitter.start_disc(v, normal);
+  const VertexFit rough = fitter.grow_disc(radii[usual]);
   if (rough.tensor.confidence > 0) normal = rough.tensor.normal;
-  const std::vector<VertexFit>& fits = fitter.discs(v, normal, radii);
+  fitter.start_disc(v, normal);
   const bool has_creases = !creases.is_crease.empty();
   bool has_any = balls.origin[v * radii.size()] == Origin::own;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::size_t place = v * radii.size() + i;
     // Half a disc of two rows of vertices leaves a quadric all but free.
-    if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius || !is_usable(fits[i])) continue;
-    if (has_creases && !fits_well(fits[i], sigma)) break;
-    const CurvatureTensor t = removes_bias ? without_graph_bias(fits[i].tensor, radii[i]) : fits[i].tensor;
+    if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius) continue;
+    const VertexFit fit = fitter.grow_disc(radii[i]);
+    if (!is_usable(fit)) continue;
+    if (has_creases && !fits_well(fit, sigma)) break;
+    const CurvatureTensor t = removes_bias ? without_graph_bias(fit.tensor, radii[i]) : fit.tensor;
     tensors.set(v, int(i), {t.k, t.normal, least_confidence});
     balls.origin[place] = Origin::vertices;
+    balls.variance[place] = {float(fit.mean_variance), float(fit.deviator_variance), float(fit.normal_variance)};
+    if (has_any && is_bent(t, radii[i], doubt_of(place, sigma, balls))) break;
     has_any = true;
-    balls.variance[place] = {float(fits[i].mean_variance), float(fits[i].deviator_variance),
-                             float(fits[i].normal_variance)};
   }
   if (has_any || (has_creases && creases.is_crease[v])) return;
   // Where all discs are too small or turn away, there are the nearest vertices.
@@ -85,11 +109,13 @@ void replace_cut_balls(const Surface& surface, const Noise& noise, const Creases
   if (cut.empty()) return;
   balls.variance.resize(n * scales);
   const std::vector<Vec3> normals = patch_normals(surface);
-  parallel_for(cut.size(), 64, execution, [&](std::size_t begin, std::size_t end, int) {
-    VertexFitter fitter(surface, creases.is_crease);
+  std::vector<std::unique_ptr<VertexFitter>> fitters(std::size_t(execution.threads()));
+  parallel_for(cut.size(), 64, execution, [&](std::size_t begin, std::size_t end, int worker) {
+    auto& fitter = fitters[std::size_t(worker)];
+    if (!fitter) fitter = std::make_unique<VertexFitter>(surface, creases.is_crease);
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = cut[i];
-      fill_from_vertices(v, normals[v], noise.sigma[v], creases, fitter, removes_bias, tensors, balls);
+      fill_from_vertices(v, normals[v], noise.sigma[v], creases, *fitter, removes_bias, tensors, balls);
     }
   }, 0.15, 0.2);
 }
@@ -150,22 +176,9 @@ void keep_one_scale_on_creases(const Creases& creases, const std::vector<double>
   }
 }
 
-/// Three standard deviations of what a fit to vertices says: its curvature, its normal.
-struct Doubt {
-  double curvature = 0, normal = 0;
-};
-
-Doubt doubt_of(std::size_t place, double sigma, const WholeBalls& balls)
-{
-  if (balls.origin[place] != Origin::vertices) return {};
-  const std::array<float, 3>& variance = balls.variance[place];
-  return {3 * sigma * std::sqrt(double(variance[0]) + double(variance[1])),
-          3 * sigma * std::sqrt(2 * double(variance[2]))};
-}
-
 int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const WholeBalls& balls)
 {
-  constexpr double largest_kr = 1.3, least_cosine = 0.7, unchecked_radius = 2.5;
+  constexpr double least_cosine = 0.7, unchecked_radius = 2.5;
   const std::vector<double>& radii = tensors.radii();
   int largest = 0;
   bool has_normal = false;
@@ -176,8 +189,8 @@ int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const
     // The smallest balls see the noise of a few triangles, which says nothing about larger ones.
     const Doubt doubt = doubt_of(v * radii.size() + i, sigma, balls);
     const bool is_checked = radii[i] > unchecked_radius;
-    if (is_checked && has_normal && ((largest_absolute_curvature(t) - doubt.curvature) * radii[i] > largest_kr ||
-                                        dot(t.normal, normal) + doubt.normal < least_cosine))
+    if (is_checked && has_normal &&
+        (is_bent(t, radii[i], doubt) || dot(t.normal, normal) + doubt.normal < least_cosine))
       break;
     largest = i;
     if (!is_checked && balls.origin[v * radii.size() + i] == Origin::vertices) continue;
