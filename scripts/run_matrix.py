@@ -5,6 +5,8 @@ A run is one mesh, engine, radius choice and host. It is finished (all values of
 sentence), or failed: a crash, a time-out, values that are not finite, or an end without a word.
 """
 
+import concurrent.futures
+import contextlib
 import dataclasses
 import json
 import os
@@ -12,6 +14,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 import numpy as np
@@ -22,6 +25,8 @@ BUILD, ROOT = os.environ["II_BUILD"], os.environ["II_ROOT"]
 ENGINES = ("Surface integral", "Volume (FFT)")
 RADII = {"Feature-adapted": "Published", "Fixed": "Published", "Statistical": "Bias removed"}  # with its estimator
 HOSTS = ("library", "2020.09", "2022.02", "2025.07", "PyMeshLab")
+AT_A_TIME = 2  # meshes
+SCREEN = threading.Lock()  # xvfb-run finds a free display, but does not hold it
 TIME_LIMIT = 900  # seconds, of all runs of one mesh in one host
 PROPERTIES = ("ii_kmax", "ii_kmin", "ii_radius", "ii_confidence", "ii_dirmax_x", "ii_dirmax_y", "ii_dirmax_z",
               "ii_dirmin_x", "ii_dirmin_y", "ii_dirmin_z", "quality")
@@ -111,7 +116,8 @@ def apply_in_host(host, mesh, folder, runs):
     with open(script, "w", encoding="utf-8") as file:
         elements = "".join(filter_element(*key, exports[key]) for key in runs)
         file.write(f"<!DOCTYPE FilterScript>\n<FilterScript>\n{elements}</FilterScript>\n")
-    status, text = run(host_command(host, mesh, script))
+    with SCREEN if host == "2020.09" else contextlib.nullcontext():
+        status, text = run(host_command(host, mesh, script))
     times = [float(t) for t in re.findall(r"^(?:LOG: 2 )?Time: ([0-9.]+) s", text, re.MULTILINE)]
     if host == "2020.09":
         times = times[-len([e for e in exports.values() if os.path.exists(e)]):]  # each is printed twice
@@ -187,7 +193,7 @@ class Table:
 
     def text(self, meshes):
         lines = ["# Every model, engine, radius choice and host", "", f"Made by `scripts/matrix` on {time.strftime('%Y-%m-%d')}. "
-                 "Seconds of a run, as the filter logs them (library: of the process, the mesh read and all written), for the "
+                 f"{AT_A_TIME} models at a time. Seconds of a run, as the filter logs them (library: of the process, the mesh read and all written), for the "
                  "radius choices " + ", ".join(r.lower() for r in RADII) + " in this order; each with all other parameters at "
                  "their defaults, the first two with the published estimator, the volume engine at 3 cells a radius. [n]: refused, with the sentence below.", "",
                  f"{meshes} models, {self.finished + self.refused + len(self.failed)} runs: {self.finished} finished with finite "
@@ -199,11 +205,12 @@ class Table:
 
 def main(table_file, meshes):
     table = Table()
-    for i, mesh in enumerate(meshes, 1):
-        print(f"matrix: {i} of {len(meshes)}: {mesh}", file=sys.stderr)
-        table.add(mesh, outcomes_of(mesh))
-        with open(table_file, "w", encoding="utf-8") as file:  # after each, because all of them take long
-            file.write(table.text(i))
+    with concurrent.futures.ThreadPoolExecutor(AT_A_TIME) as pool:
+        for i, (mesh, found) in enumerate(zip(meshes, pool.map(outcomes_of, meshes)), 1):
+            print(f"matrix: {i} of {len(meshes)}: {mesh}", file=sys.stderr)
+            table.add(mesh, found)
+            with open(table_file, "w", encoding="utf-8") as file:  # after each, because all of them take long
+                file.write(table.text(i))
     print("\n".join(table.failed), file=sys.stderr)
     print(f"{table.finished + table.refused} passed, {len(table.failed)} failed")
     return 1 if table.failed else 0
