@@ -16,6 +16,15 @@ struct alignas(64) LaneSums {
   double value[sums][lanes] = {};
 };
 
+/// The ten moments of degree 0, 1, 2 in lane j, to the sums from `first` on.
+[[gnu::always_inline]] inline void add_moments(LaneSums& sum, std::size_t first, std::size_t j, double m, double mx, double my,
+                                               double mz, double mxx, double mxy, double mxz, double myy, double myz,
+                                               double mzz)
+{
+  const double moments[10] = {m, mx, my, mz, mxx, mxy, mxz, myy, myz, mzz};
+  for (std::size_t i = 0; i < 10; ++i) sum.value[first + i][j] += moments[i];
+}
+
 /// Bounded at 0, where points that do not count may stand.
 inline double bounded(double squared_distance) { return squared_distance > 1e-6 ? squared_distance : 1e-6; }
 
@@ -52,26 +61,9 @@ void add_points(const PointGroup* groups, const LaneWeights* weights, const Weig
       const double w3 = i2 * i1 * factor3(q, c), w4 = i4 * factor4(q, c), w5 = i5 * factor5(q, c);
       const double hx = h * x, hy = h * y, hz = h * z, hv = h * v;
       const double xx = hx * x, xy = hx * y, xz = hx * z, yy = hy * y, yz = hy * z, zz = hz * z;
-      sum.value[0][j] += h;
-      sum.value[1][j] += hx;
-      sum.value[2][j] += hy;
-      sum.value[3][j] += hz;
-      sum.value[4][j] += xx;
-      sum.value[5][j] += xy;
-      sum.value[6][j] += xz;
-      sum.value[7][j] += yy;
-      sum.value[8][j] += yz;
-      sum.value[9][j] += zz;
-      sum.value[10][j] += h * w3;
-      sum.value[11][j] += hx * w4;
-      sum.value[12][j] += hy * w4;
-      sum.value[13][j] += hz * w4;
-      sum.value[14][j] += xx * w5;
-      sum.value[15][j] += xy * w5;
-      sum.value[16][j] += xz * w5;
-      sum.value[17][j] += yy * w5;
-      sum.value[18][j] += yz * w5;
-      sum.value[19][j] += zz * w5;
+      add_moments(sum, 0, j, h, hx, hy, hz, xx, xy, xz, yy, yz, zz);
+      add_moments(sum, 10, j, h * w3, hx * w4, hy * w4, hz * w4,
+                  xx * w5, xy * w5, xz * w5, yy * w5, yz * w5, zz * w5);
       sum.value[20][j] += hv;
       sum.value[21][j] += hv * i5;
     }
@@ -111,26 +103,11 @@ void add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::si
       const double xx = hx * x + 2 * (bx * x), xy = hx * y + (bx * y + by * x), xz = hx * z + (bx * z + bz * x);
       const double yy = hy * y + 2 * (by * y), yz = hy * z + (by * z + bz * y), zz = hz * z + 2 * (bz * z);
       const double ex = beta5 * x, ey = beta5 * y, ez = beta5 * z;
-      sum.value[0][j] += h;
-      sum.value[1][j] += hx + bx;
-      sum.value[2][j] += hy + by;
-      sum.value[3][j] += hz + bz;
-      sum.value[4][j] += xx;
-      sum.value[5][j] += xy;
-      sum.value[6][j] += xz;
-      sum.value[7][j] += yy;
-      sum.value[8][j] += yz;
-      sum.value[9][j] += zz;
-      sum.value[10][j] += h3 * w3;
-      sum.value[11][j] += (h4 * x + bx) * w4;
-      sum.value[12][j] += (h4 * y + by) * w4;
-      sum.value[13][j] += (h4 * z + bz) * w4;
-      sum.value[14][j] += (xx - ex * x) * w5;
-      sum.value[15][j] += (xy - ex * y) * w5;
-      sum.value[16][j] += (xz - ex * z) * w5;
-      sum.value[17][j] += (yy - ey * y) * w5;
-      sum.value[18][j] += (yz - ey * z) * w5;
-      sum.value[19][j] += (zz - ez * z) * w5;
+      add_moments(sum, 0, j, h, hx + bx, hy + by, hz + bz,
+                  xx, xy, xz, yy, yz, zz);
+      add_moments(sum, 10, j, h3 * w3, (h4 * x + bx) * w4, (h4 * y + by) * w4, (h4 * z + bz) * w4,
+                  (xx - ex * x) * w5, (xy - ex * y) * w5, (xz - ex * z) * w5,
+                  (yy - ey * y) * w5, (yz - ey * z) * w5, (zz - ez * z) * w5);
       sum.value[20][j] += hv;
       sum.value[21][j] += hv * i5;
     }
