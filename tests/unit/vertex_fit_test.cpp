@@ -111,8 +111,10 @@ TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)
     EXPECT_LT(fits[2].mean_variance, fits[1].mean_variance);
   }
   // On the boundary half of the disc is left, and the fit less sure.
-  const double whole = discs(fitter, centre_of(surface), radii)[2].mean_variance;
-  EXPECT_GT(discs(fitter, centre_of(surface) + 12, radii)[2].mean_variance, 3 * whole);
+  const VertexFit whole = discs(fitter, centre_of(surface), radii)[2], half = discs(fitter, centre_of(surface) + 12, radii)[2];
+  EXPECT_GT(half.mean_variance, 3 * whole.mean_variance);
+  EXPECT_LT(whole.lean, 0.05);
+  EXPECT_NEAR(half.lean, 0.42, 0.05);
 }
 
 TEST(VertexFit, DiscsEndAtABarrierAndTellWhatTheyDoNotFit)

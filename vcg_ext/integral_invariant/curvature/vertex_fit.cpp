@@ -132,7 +132,7 @@ void VertexFitter::start_disc(std::size_t v, const Vec3& normal)
   frame_ = HeightFrame(normal);
   centre_ = surface_.positions()[v];
   heights_ = {};
-  squares_ = 0;
+  squares_ = sum_x_ = sum_y_ = 0;
   disc_count_ = 0;
   beyond_.assign(1, {0, 0, 0, 0, std::uint32_t(v)});
 }
@@ -143,6 +143,8 @@ void VertexFitter::take_into_disc(const Place& place)
   monomials(place.x, place.y, disc_degree, m);
   heights_.add(m, place.height, 1, disc_degree);
   squares_ += place.height * place.height;
+  sum_x_ += place.x;
+  sum_y_ += place.y;
   ++disc_count_;
   queue_.push_back(place.vertex);
 }
@@ -179,6 +181,7 @@ VertexFit VertexFitter::grow_disc(double radius)
   if (disc_count_ < least_count || system.factor(disc_degree) < disc_degree) return {};
   VertexFit fit;
   fit.reach = radius;
+  fit.lean = std::hypot(sum_x_, sum_y_) / (double(disc_count_) * radius);
   const Coefficients c = system.solution(disc_degree);
   fit.tensor = graph_curvature(c, frame_, 1);
   const double freedom = double(disc_count_) - coefficient_count(disc_degree);

@@ -20,6 +20,7 @@ struct VertexFit {
   double mean_variance = 0, deviator_variance = 0, normal_variance = 0;
   double reach = 0;        ///< distance of the farthest vertex that counted, L
   double residual = -1;    ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
+  double lean = 0;         ///< distance of a disc's mean vertex from its centre, over its radius: 0.42 for a half disc
 };
 
 /// Fits around one vertex after the other; holds scratch memory, so one a thread. Neighbours are found along the edges:
@@ -60,7 +61,7 @@ class VertexFitter {
   HeightFrame frame_{{0, 0, 1}};
   Vec3 centre_;
   HeightSystem heights_;
-  double squares_ = 0;
+  double squares_ = 0, sum_x_ = 0, sum_y_ = 0;
   std::size_t disc_count_ = 0;
   std::vector<Place> beyond_;
 };

@@ -66,21 +66,21 @@ void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, const Creases&
                         bool removes_bias, TensorField& tensors, WholeBalls& balls)
 {
   constexpr std::size_t usual_scale = 3;
-  constexpr double least_fit_radius = 2.5;
+  constexpr double least_fit_radius = 2.5, largest_lean = 0.2;
   const std::vector<double>& radii = tensors.radii();
   const std::size_t usual = std::min(usual_scale, radii.size() - 1);
   fitter.start_disc(v, normal);
   const VertexFit rough = fitter.grow_disc(radii[usual]);
   if (rough.tensor.confidence > 0) normal = rough.tensor.normal;
   fitter.start_disc(v, normal);
-  const bool has_creases = !creases.is_crease.empty();
+  const bool has_creases = !creases.is_crease.empty(), is_crease = has_creases && creases.is_crease[v];
   bool has_any = balls.origin[v * radii.size()] == Origin::own;
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::size_t place = v * radii.size() + i;
     // Half a disc of two rows of vertices leaves a quadric all but free.
     if (balls.origin[place] == Origin::own || radii[i] < least_fit_radius) continue;
     const VertexFit fit = fitter.grow_disc(radii[i]);
-    if (!is_usable(fit)) continue;
+    if (!is_usable(fit) || (is_crease && fit.lean > largest_lean)) continue;
     if (has_creases && !fits_well(fit, sigma)) break;
     const CurvatureTensor t = removes_bias ? without_graph_bias(fit.tensor, radii[i]) : fit.tensor;
     tensors.set(v, int(i), {t.k, t.normal, least_confidence});
@@ -89,7 +89,7 @@ void fill_from_vertices(std::size_t v, Vec3 normal, double sigma, const Creases&
     if (has_any && is_bent(t, radii[i], doubt_of(place, sigma, balls))) break;
     has_any = true;
   }
-  if (has_any || (has_creases && creases.is_crease[v])) return;
+  if (has_any || is_crease) return;
   // Where all discs are too small or turn away, there are the nearest vertices.
   const VertexFit nearest = fitter.nearest(v, normal);
   if (!is_usable(nearest)) return;
