@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "parameter_rows.h"
+#include "utf8.h"
 
 namespace integral_invariant::filter {
 
@@ -95,6 +96,7 @@ void store(const ParameterSpec& spec, double value, Request& request)
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request)
 {
   const bool is_ply = text.size() > 4 && lower_case(text.substr(text.size() - 4)) == ".ply";
+  if (!is_utf8(text)) refuse(spec, "not in UTF-8");
   if (!text.empty() && !is_ply) refuse(spec, "'" + text + "'");
   request.output.export_file = text;
 }

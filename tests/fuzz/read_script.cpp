@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "filter_feature_adapted_ii/utf8.h"
 #include "fuzz/invariants.h"
 
 namespace fuzz {
@@ -47,26 +48,11 @@ std::string attribute(const std::string& element, const std::string& name)
   return unescaped(element.substr(first, end - first));
 }
 
-/// Sequences of UTF-8, as far as lead and continuation bytes tell.
-bool is_utf8(const std::string& text)
-{
-  std::size_t awaited = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues = (byte & 0xc0) == 0x80;
-    if (continues != (awaited > 0)) return false;
-    if (continues) --awaited;
-    else if (byte >= 0xf8) return false;
-    else awaited = byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;
-  }
-  return awaited == 0;
-}
-
 }  // namespace
 
 ReadScript read_script(const std::string& xml)
 {
-  require(is_utf8(xml), "XML is UTF-8");
+  require(integral_invariant::filter::is_utf8(xml), "XML is UTF-8");
   ReadScript script;
   for (std::size_t begin = xml.find('<'); begin != std::string::npos; begin = xml.find('<', begin + 1)) {
     const std::size_t end = xml.find('>', begin);

@@ -137,6 +137,7 @@ TEST(ParameterTable, RefusesTextThatIsNoValue)
   EXPECT_THROW(store_from_text(row("scales"), "2.5", request), ParameterError);
   EXPECT_THROW(store_from_text(row("smooth_radius"), "maybe", request), ParameterError);
   EXPECT_THROW(store_from_text(row("export_file"), "out.obj", request), ParameterError);
+  EXPECT_THROW(store_from_text(row("export_file"), "a\xc4" "b.ply", request), ParameterError);
 }
 
 TEST(ParameterTable, SinglePrecisionIsReadAsTyped)
