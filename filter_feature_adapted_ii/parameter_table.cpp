@@ -96,7 +96,8 @@ void store(const ParameterSpec& spec, double value, Request& request)
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request)
 {
   const bool is_ply = text.size() > 4 && lower_case(text.substr(text.size() - 4)) == ".ply";
-  if (!is_utf8(text)) refuse(spec, "not in UTF-8");
+  const bool has_control = std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  if (!is_utf8(text) || has_control) refuse(spec, "not UTF-8 without control characters");
   if (!text.empty() && !is_ply) refuse(spec, "'" + text + "'");
   request.output.export_file = text;
 }

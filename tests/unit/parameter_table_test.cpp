@@ -137,7 +137,8 @@ TEST(ParameterTable, RefusesTextThatIsNoValue)
   EXPECT_THROW(store_from_text(row("scales"), "2.5", request), ParameterError);
   EXPECT_THROW(store_from_text(row("smooth_radius"), "maybe", request), ParameterError);
   EXPECT_THROW(store_from_text(row("export_file"), "out.obj", request), ParameterError);
-  EXPECT_THROW(store_from_text(row("export_file"), "a\xc4" "b.ply", request), ParameterError);
+  for (const char* no_script_holds : {"a\xc4" "b.ply", "a\x01" "b.ply", "a\nb.ply"})
+    EXPECT_THROW(store_from_text(row("export_file"), no_script_holds, request), ParameterError);
 }
 
 TEST(ParameterTable, SinglePrecisionIsReadAsTyped)
