@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace integral_invariant {
 
@@ -226,11 +225,9 @@ std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& t
 {
   std::vector<VertexFit> fits(surface.vertex_count());
   const std::vector<Vec3> normals = patch_normals(surface);
-  std::vector<std::unique_ptr<VertexFitter>> fitters(std::size_t(execution.threads()));
+  VertexFitters fitters(surface, execution);
   parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int worker) {
-    auto& own = fitters[std::size_t(worker)];
-    if (!own) own = std::make_unique<VertexFitter>(surface);
-    VertexFitter& fitter = *own;
+    VertexFitter& fitter = fitters.of(worker);
     for (std::size_t v = begin; v < end; ++v)
       if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, rough_normal(tensors, v, normals[v]));
   });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "integral_invariant/curvature/height_polynomial.h"
@@ -64,6 +65,32 @@ class VertexFitter {
   double squares_ = 0, sum_x_ = 0, sum_y_ = 0;
   std::size_t disc_count_ = 0;
   std::vector<Place> beyond_;
+};
+
+/// A fitter for each worker, made when it is first asked for: its marks are as long as the mesh.
+class VertexFitters {
+ public:
+  VertexFitters(const Surface& surface, const Execution& execution, const std::vector<char>& barrier = no_barrier())
+      : surface_(surface), barrier_(barrier), fitters_(std::size_t(execution.threads()))
+  {
+  }
+  VertexFitter& of(int worker)
+  {
+    std::unique_ptr<VertexFitter>& fitter = fitters_[std::size_t(worker)];
+    if (!fitter) fitter = std::make_unique<VertexFitter>(surface_, barrier_);
+    return *fitter;
+  }
+
+ private:
+  static const std::vector<char>& no_barrier()
+  {
+    static const std::vector<char> none;
+    return none;
+  }
+
+  const Surface& surface_;
+  const std::vector<char>& barrier_;
+  std::vector<std::unique_ptr<VertexFitter>> fitters_;
 };
 
 /// Normals of the vertices' patches: of the summed area vectors of the triangles of a vertex and of its neighbours,

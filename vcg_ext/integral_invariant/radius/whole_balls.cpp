@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/vertex_fit.h"
@@ -109,13 +108,12 @@ void replace_cut_balls(const Surface& surface, const Noise& noise, const Creases
   if (cut.empty()) return;
   balls.variance.resize(n * scales);
   const std::vector<Vec3> normals = patch_normals(surface);
-  std::vector<std::unique_ptr<VertexFitter>> fitters(std::size_t(execution.threads()));
+  VertexFitters fitters(surface, execution, creases.is_crease);
   parallel_for(cut.size(), 64, execution, [&](std::size_t begin, std::size_t end, int worker) {
-    auto& fitter = fitters[std::size_t(worker)];
-    if (!fitter) fitter = std::make_unique<VertexFitter>(surface, creases.is_crease);
+    VertexFitter& fitter = fitters.of(worker);
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = cut[i];
-      fill_from_vertices(v, normals[v], noise.sigma[v], creases, *fitter, removes_bias, tensors, balls);
+      fill_from_vertices(v, normals[v], noise.sigma[v], creases, fitter, removes_bias, tensors, balls);
     }
   }, 0.15, 0.2);
 }
