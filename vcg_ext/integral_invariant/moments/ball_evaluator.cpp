@@ -72,16 +72,23 @@ void BallEvaluator::clear()
 void BallEvaluator::find_triangle_scales(const Neighbourhood& near, const Vicinity& vicinity)
 {
   if (touched_.size() <= near.corners.size()) touched_.resize(near.corners.size() + 1);
+  if (outermost_.size() < near.corners.size()) outermost_.resize(near.corners.size());
   const std::uint8_t* scale = scale_of_.data();
   const TriangleScales* table = scales_table_.data();
+  const LocalCorners* corners = near.corners.data();
+  std::uint8_t* outermost = outermost_.data();
   const std::size_t stride = scales_ + 1;
+  const std::uint8_t beyond = std::uint8_t(scales_);
   TouchedTriangle* end = touched_.data();
   for (const std::uint32_t leaf : vicinity.leaves()) {
-    for (std::uint32_t i = near.leaves[leaf].begin; i < near.leaves[leaf].end; ++i) {
-      const std::array<std::uint32_t, 5>& p = near.corners[i].ring;
+    const LocalLeaf range = near.leaves[leaf];
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      const std::array<std::uint32_t, 5>& p = corners[i].ring;
+      const TriangleScales t = table[(scale[p[0]] * stride + scale[p[1]]) * stride + scale[p[2]]];
       // Written in any case and counted where a vertex is inside the largest ball: a leaf may reach far beyond it.
-      *end = {i, table[(scale[p[0]] * stride + scale[p[1]]) * stride + scale[p[2]]]};
-      end += end->scales.least < scales_;
+      *end = {i, t};
+      outermost[i] = t.most;
+      end += t.least < beyond;
     }
   }
   touched_count_ = std::size_t(end - touched_.data());

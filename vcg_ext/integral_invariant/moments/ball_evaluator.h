@@ -60,8 +60,9 @@ class BallEvaluator {
   const std::vector<BallMoments>& evaluate(const Neighbourhood& near, Vicinity& vicinity, std::uint32_t centre,
                                            const Vec3& normal, bool is_border);
 
-  /// Of the last evaluation; local points beyond all radii have the number of radii.
-  const std::vector<std::uint8_t>& first_scales() const { return scale_of_; }
+  /// Of the last evaluation, for the triangles of the vicinity's leaves: how far out they reach, as the first scale of their
+  /// farthest vertex; the number of radii where that is beyond them all.
+  const std::vector<std::uint8_t>& outermost_scales() const { return outermost_; }
   /// With a rim: moments of the cones from the centre to the triangles whose vertices are all within it. The last moments
   /// of evaluate() are those of the ball if the surface went on from there by rays away from the centre.
   const MomentSums& rim_cones() const { return rim_cones_; }
@@ -98,6 +99,7 @@ class BallEvaluator {
   const Neighbourhood* near_ = nullptr;
   Vec3 pole_, centre_;
   std::vector<std::uint8_t> scale_of_;      ///< per local point: the first scale whose ball holds it
+  std::vector<std::uint8_t> outermost_;     ///< per triangle
   std::vector<TriangleScales> scales_table_;  ///< by the first scales of three vertices
   std::vector<TouchedTriangle> touched_;
   std::size_t touched_count_ = 0;

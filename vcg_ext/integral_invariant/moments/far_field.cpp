@@ -12,7 +12,7 @@ namespace integral_invariant {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double rim_gap = 0.5, least_gain = 1.5;  // edges
+constexpr double rim_gap = 0.6, least_gain = 1.5;  // edges
 constexpr std::uint32_t none = ~0u;
 constexpr std::uint8_t no_shell = 255;
 
@@ -91,33 +91,28 @@ const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluato
                                                    const BallMoments& rim_moments, bool is_border)
 {
   const Vec3 apex = near_->point(centre);
-  sort_leaves(evaluator.first_scales(), apex);
+  sort_leaves(evaluator.outermost_scales(), apex);
   sort_clusters(apex);
 
   // total = cones within the rim + the rest of the rim's ball, grown to r + annulus.
   const MomentSums& cones = evaluator.rim_cones();
   const MomentSums sector = MomentSums{rim_moments.volume, rim_moments.first, rim_moments.second} - cones;
-  ShellFlux annulus;
+  FluxSums annulus;
   moments_.resize(radii_.size() - 1);
   for (std::size_t k = 1; k < radii_.size(); ++k) {
-    const double inner = k == 1 ? -1.0 : squared_radii_[k - 1], outer = squared_radii_[k];
-    for (const ShellFlux& part :
-         {flux_of_points(far_.points(), weights_.data(), points_in_[k].data(), point_count_[k], apex, inner, outer),
-          flux_of_clusters(far_.clusters(), clusters_in_[k].data(), cluster_count_[k], apex, inner, outer)}) {
-      annulus.plain += part.plain;
-      annulus.inverse += part.inverse;
-    }
+    const FluxSums::Shell shell{apex, k == 1 ? -1.0 : squared_radii_[k - 1], squared_radii_[k]};
+    annulus.add_points(far_.points(), weights_.data(), points_in_[k].data(), point_count_[k], shell);
+    annulus.add_clusters(far_.clusters(), clusters_in_[k].data(), cluster_count_[k], shell);
     const double r = radii_[k], r3 = r * r * r, grown = r / radii_[0], grown3 = grown * grown * grown;
-    const MomentSums flux = annulus.plain - scaled(annulus.inverse, r3, r3 * r, r3 * r * r);
     const MomentSums total = cones + scaled(sector, grown3, grown3 * grown, grown3 * grown * grown) +
-                             scaled(flux, 1.0 / 3, 0.25, 0.2);
+                             scaled(annulus.up_to(r), 1.0 / 3, 0.25, 0.2);
     moments_[k - 1] = {std::clamp(total.volume, 0.0, 4 * pi / 3 * r3), total.first, total.second, 1};
   }
   find_confidence(apex, evaluator.gap_angle(), is_border);
   return moments_;
 }
 
-void FarField::sort_leaves(const std::vector<std::uint8_t>& first_scales, const Vec3& centre)
+void FarField::sort_leaves(const std::vector<std::uint8_t>& outermost_scales, const Vec3& centre)
 {
   find_ranges(point_spheres_, centre, position_rounding);
   weights_.resize(1);
@@ -128,7 +123,7 @@ void FarField::sort_leaves(const std::vector<std::uint8_t>& first_scales, const 
   find_scale_ranges(triangle_spheres_, centre, position_rounding, rim_, least_side_.data(), largest_side_.data());
   for (std::uint32_t i = 0; i < rim_leaves_; ++i) {
     weights_of_[i] = largest_side_[i] == 0 ? none : 0;
-    if (least_side_[i] < largest_side_[i]) weights_of_[i] = weigh_rim_leaf(i, first_scales, centre);
+    if (least_side_[i] < largest_side_[i]) weights_of_[i] = weigh_rim_leaf(i, outermost_scales, centre);
     // The points of triangles that the rim cuts may be within it, and count in the first shell.
     least_[i] = weights_of_[i] == none ? no_shell : std::max<std::uint8_t>(least_[i], 1);
     largest_[i] = std::max<std::uint8_t>(largest_[i], 1);
@@ -146,7 +141,7 @@ void FarField::sort_leaves(const std::vector<std::uint8_t>& first_scales, const 
 }
 
 /// Which weights leave out the triangles within the rim; none where all are.
-std::uint32_t FarField::weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& first_scales, const Vec3& centre)
+std::uint32_t FarField::weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& outermost_scales, const Vec3& centre)
 {
   const std::uint32_t near_leaf = far_.near_leaf(leaves_[i]);
   if (near_leaf == FarPoints::no_leaf) {
@@ -157,13 +152,10 @@ std::uint32_t FarField::weigh_rim_leaf(std::uint32_t i, const std::vector<std::u
   const LocalLeaf& leaf = near_->leaves[near_leaf];
   weights_.push_back(weights_[0]);
   double* weight = weights_.back().weight;
-  const std::uint8_t *scale = first_scales.data(), *lane = near_->lanes.data();
-  const LocalCorners* corners = near_->corners.data();
+  const std::uint8_t *outermost = outermost_scales.data(), *lane = near_->lanes.data();
   bool has_outside = leaf.end - leaf.begin < kernel_lanes;
   for (std::uint32_t t = leaf.begin; t < leaf.end; ++t) {
-    const std::array<std::uint32_t, 5>& p = corners[t].ring;
-    // No vertex is farther than the first scale beyond the rim.
-    const bool is_outside = (scale[p[0]] == outside_) | (scale[p[1]] == outside_) | (scale[p[2]] == outside_);
+    const bool is_outside = outermost[t] == outside_;
     weight[lane[t]] = is_outside;
     has_outside |= is_outside;
   }

@@ -40,8 +40,8 @@ class FarField {
  private:
   /// Fills least_ and largest_.
   void find_ranges(const SphereColumns& spheres, const Vec3& centre, double extent);
-  void sort_leaves(const std::vector<std::uint8_t>& first_scales, const Vec3& centre);
-  std::uint32_t weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& first_scales, const Vec3& centre);
+  void sort_leaves(const std::vector<std::uint8_t>& outermost_scales, const Vec3& centre);
+  std::uint32_t weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& outermost_scales, const Vec3& centre);
   void sort_clusters(const Vec3& centre);
   void find_confidence(const Vec3& centre, double gap_angle, bool is_border);
 

@@ -10,11 +10,8 @@ namespace integral_invariant {
 
 namespace {
 
-constexpr std::size_t lanes = kernel_lanes, sums = 22;
-
-struct alignas(64) LaneSums {
-  double value[sums][lanes] = {};
-};
+constexpr std::size_t lanes = kernel_lanes;
+using LaneSums = FluxSums::Lanes;
 
 /// The ten moments of degree 0, 1, 2 in lane j, to the sums from `first` on.
 [[gnu::always_inline]] inline void add_moments(LaneSums& sum, std::size_t first, std::size_t j, double m, double mx, double my,
@@ -35,17 +32,12 @@ inline double factor3(double q, double c) { return 1 + q * (4.5 - 7.5 * c); }
 inline double factor4(double q, double c) { return 1 + q * (4 - 8 * c); }
 inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
 
-/// The shell and its centre.
-struct Shell {
-  double centre[3], inner, outer;
-};
-
 II_VECTOR_CLONES
-void add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                const Shell& shell, LaneSums& out)
+void sum_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                const FluxSums::Shell& shell, LaneSums& out)
 {
   LaneSums sum = out;
-  const double ox = shell.centre[0], oy = shell.centre[1], oz = shell.centre[2], inner = shell.inner, outer = shell.outer;
+  const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
   for (std::size_t g = 0; g < count; ++g) {
     const PointGroup& group = groups[list[g].group];
     const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
@@ -74,10 +66,10 @@ void add_points(const PointGroup* groups, const LaneWeights* weights, const Weig
 /// With b = ∫u (x·n): ∫ h f ≈ h f + b·∇f, and the same for f |x|^{−m}, whose gradient along b has the further term
 /// −m (b·x)/|x|² f |x|^{−m}.
 II_VECTOR_CLONES
-void add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Shell& shell, LaneSums& out)
+void sum_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const FluxSums::Shell& shell, LaneSums& out)
 {
   LaneSums sum = out;
-  const double ox = shell.centre[0], oy = shell.centre[1], oz = shell.centre[2], inner = shell.inner, outer = shell.outer;
+  const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
   for (std::size_t g = 0; g < count; ++g) {
     const ClusterGroup& group = groups[list[g]];
     const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
@@ -115,38 +107,44 @@ void add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::si
   out = sum;
 }
 
+/// Σ h f (1 − (r/|x|)^{d+3}) per lane: the moments, then what all three diagonal elements have besides.
+II_VECTOR_CLONES
+void grow_to(double r, const LaneSums& sum, double (&out)[11][lanes])
+{
+  const double r3 = r * r * r, r4 = r3 * r, r5 = r4 * r;
+  const double power[11] = {r3, r4, r4, r4, r5, r5, r5, r5, r5, r5, r5};
+  for (std::size_t i = 0; i < 11; ++i) {
+    const std::size_t plain = i < 10 ? i : 20, inverse = i < 10 ? i + 10 : 21;
+    for (std::size_t j = 0; j < lanes; ++j) out[i][j] = sum.value[plain][j] - power[i] * sum.value[inverse][j];
+  }
+}
+
 double sum_of(const double* lane)
 {
   return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
 }
 
-ShellFlux total(const LaneSums& lane)
-{
-  double s[sums];
-  for (std::size_t i = 0; i < sums; ++i) s[i] = sum_of(lane.value[i]);
-  // The diagonal's part is given to all three axes: along the normal it is far under what stands there.
-  return {{s[0], {s[1], s[2], s[3]}, {s[4] + s[20], s[5], s[6], s[7] + s[20], s[8], s[9] + s[20]}},
-          {s[10], {s[11], s[12], s[13]}, {s[14] + s[21], s[15], s[16], s[17] + s[21], s[18], s[19] + s[21]}}};
-}
-
 }  // namespace
 
-ShellFlux flux_of_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                         const Vec3& centre, double inner, double outer)
+void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                          const Shell& shell)
 {
-  if (count == 0) return {};
-  LaneSums lane;
-  add_points(groups, weights, list, count, {{centre.x, centre.y, centre.z}, inner, outer}, lane);
-  return total(lane);
+  if (count > 0) sum_points(groups, weights, list, count, shell, lanes_);
 }
 
-ShellFlux flux_of_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Vec3& centre,
-                           double inner, double outer)
+void FluxSums::add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Shell& shell)
 {
-  if (count == 0) return {};
-  LaneSums lane;
-  add_clusters(groups, list, count, {{centre.x, centre.y, centre.z}, inner, outer}, lane);
-  return total(lane);
+  if (count > 0) sum_clusters(groups, list, count, shell, lanes_);
+}
+
+MomentSums FluxSums::up_to(double r) const
+{
+  alignas(64) double lane[11][lanes];
+  grow_to(r, lanes_, lane);
+  double s[11];
+  for (std::size_t i = 0; i < 11; ++i) s[i] = sum_of(lane[i]);
+  // The diagonal's part is given to all three axes: along the normal it is far under what stands there.
+  return {s[0], {s[1], s[2], s[3]}, {s[4] + s[10], s[5], s[6], s[7] + s[10], s[8], s[9] + s[10]}};
 }
 
 }  // namespace integral_invariant

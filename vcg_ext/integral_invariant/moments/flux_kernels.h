@@ -50,18 +50,31 @@ struct WeighedGroup {
   std::uint32_t group, weights;
 };
 
-/// Σ h f and Σ h f |x|^{−(d+3)} for f = 1, x, x xᵀ, of degree d.
-struct ShellFlux {
-  MomentSums plain, inverse;
-};
+/// Sums over triangles of h f and h f |x|^{−(d+3)} for f = 1, x, x xᵀ, of degree d: x is a triangle's centroid from the
+/// balls' centre, h = x·∫n. A triangle counts by the integrand at its centroid and, as if it were round, half its variance
+/// times the integrand's Laplacian in its plane; a cluster with the integrand's gradient besides.
+class FluxSums {
+ public:
+  /// What lies in a shell about `centre`: squared distances over `inner` and not over `outer`.
+  struct Shell {
+    Vec3 centre;
+    double inner, outer;
+  };
 
-/// Sums over the triangles of the listed groups of which the centroid's squared distance from `centre` is over `inner` and
-/// not over `outer`. A triangle counts by the integrand at its centroid and, as if it were round, half its variance times
-/// the integrand's Laplacian in its plane.
-ShellFlux flux_of_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                         const Vec3& centre, double inner, double outer);
-/// The same for clusters, with the integrand's gradient besides.
-ShellFlux flux_of_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Vec3& centre,
-                           double inner, double outer);
+  void add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                  const Shell& shell);
+  void add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Shell& shell);
+  /// Σ h f (1 − (r/|x|)^{d+3}).
+  MomentSums up_to(double r) const;
+
+  static constexpr std::size_t sums = 22;
+  /// Per lane: ten moments of h f, the same of h f |x|^{−(d+3)}, and what all three diagonal elements of each have besides.
+  struct alignas(64) Lanes {
+    double value[sums][kernel_lanes] = {};
+  };
+
+ private:
+  Lanes lanes_;
+};
 
 }  // namespace integral_invariant

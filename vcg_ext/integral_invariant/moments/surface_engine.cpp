@@ -59,7 +59,7 @@ class SurfaceEngine : public MomentEngine {
   {
     const bool compares_scales =
         parameters_.radius_choice == RadiusChoice::statistical || parameters_.estimator == Estimator::bias_free;
-    return compares_scales ? 8.5 : 3.5;
+    return compares_scales ? 7.4 : 3.05;
   }
 
   /// The scratch memory of closed forms.
