@@ -15,21 +15,27 @@ using Pair = std::array<double, 2>;
 
 double dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-/// What is known about one vertex on the way from its largest scale down.
-struct State {
-  Pair value{}, detail{};
+/// Components that are added by the same weights, of one vertex.
+struct Strand {
   double variance = 0;          ///< of value's error
   double detail_variance = 0;   ///< of detail's error
   double covariance = 0;        ///< of both errors
   double shape_variance = 1e30; ///< P of the scale before
-  double log_radius = 0;
   bool is_drowned = false;      ///< a scale showed nothing but noise
+};
+
+/// What is known about one vertex on the way from its largest scale down.
+struct State {
+  Pair value{}, detail{};
+  std::array<Strand, 2> strands;
+  double log_radius = 0;
 };
 
 class Chain {
  public:
   Chain(const Signal& signal, const ScaleEvidence& evidence)
-      : signal_(signal), e_(evidence), n_(evidence.least_radius.size()), scales_(evidence.radii.size()), states_(n_),
+      : signal_(signal), strands_(signal.evidence == Evidence::each ? signal.components : 1),
+        of_each_(signal.components / strands_), e_(evidence), n_(evidence.least_radius.size()), scales_(evidence.radii.size()), states_(n_),
         slope_(n_), innovation_(n_)
   {
   }
@@ -66,7 +72,13 @@ class Chain {
     constexpr double least = 0.05;
     return std::max(noise_of(v, i) - noise_of(v, i + 1), least * noise_of(v, i)) + 1e-30;
   }
-  double energy(std::size_t v) const { return dot(innovation_[v], innovation_[v]) / signal_.components; }
+  /// Mean square of a strand's innovations.
+  double energy(std::size_t v, int strand) const
+  {
+    double sum = 0;
+    for (int c = strand * of_each_; c < (strand + 1) * of_each_; ++c) sum += innovation_[v][c] * innovation_[v][c];
+    return sum / of_each_;
+  }
   /// r_{i+1}² − r_i²
   double gap(int i) const
   {
@@ -80,7 +92,7 @@ class Chain {
       if (e_.balls.largest[v] != i) continue;
       const auto& y = signal_.values[v * scales_ + std::size_t(i)];
       states_[v].value = {double(y[0]), double(y[1])};
-      states_[v].variance = noise_of(v, i);
+      for (Strand& strand : states_[v].strands) strand.variance = noise_of(v, i);
       states_[v].log_radius = std::log(e_.radii[std::size_t(i)]);
     }
   }
@@ -122,48 +134,55 @@ class Chain {
 
   void update(int i)
   {
-    std::vector<std::array<double, 3>> energies(n_);
+    std::vector<std::array<double, 4>> energies(n_);
     for (std::size_t v = 0; v < n_; ++v) {
-      energies[v] = {0, 0, 0};
+      energies[v] = {};
       innovation_[v] = {};
       if (i >= e_.balls.largest[v] || !is_measured(v, i)) continue;
       const Pair d = difference(v, i);
       for (int c = 0; c < 2; ++c) innovation_[v][c] = d[c] - slope_[v] * states_[v].detail[c];
       const double noise = noise_between(v, i);
       // By the noise: noisy members tell less. A crease must not spread its strength over the flat parts around.
-      energies[v] = {1 / noise, std::min(energy(v) / noise, largest_energy), 1};
+      energies[v] = {1 / noise, 1, 0, 0};
+      for (int k = 0; k < strands_; ++k) energies[v][2 + k] = std::min(energy(v, k) / noise, largest_energy);
     }
     const auto sums = e_.pools[std::size_t(i)].sums(energies);
-    for (std::size_t v = 0; v < n_; ++v)
-      if (i < e_.balls.largest[v]) update_vertex(v, i, sums[v]);
+    for (std::size_t v = 0; v < n_; ++v) {
+      if (i >= e_.balls.largest[v]) continue;
+      for (int k = 0; k < strands_; ++k) {
+        const double mean = sums[v][0] > 0 ? std::max(0.0, (sums[v][2 + k] - sums[v][1]) / sums[v][0]) : 0;
+        update_strand(v, i, k, mean);
+      }
+    }
   }
 
-  void update_vertex(std::size_t v, int i, const std::array<double, 3>& sums)
+  /// `shape`: P by the neighbourhood's average.
+  void update_strand(std::size_t v, int i, int k, double shape)
   {
-    State& s = states_[v];
+    Strand& s = states_[v].strands[k];
     const double noise = noise_between(v, i);
-    double shape = sums[0] > 0 ? std::max(0.0, (sums[1] - sums[2]) / sums[0]) : 0;
     // An average that passes the noise by little is chance, the more so under the scale at which noise took over.
     if (shape < (s.is_drowned ? drowned_share : least_share) * noise) shape = 0;
     s.is_drowned = s.is_drowned || shape == 0;
     // What stands out of the noise at the vertex itself is shape.
     const bool is_fit = e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::vertices;
     const double evident = s.is_drowned || is_fit ? evident_against_odds : evident_energy;
-    shape = std::max(shape, energy(v) - evident * noise);
+    shape = std::max(shape, energy(v, k) - evident * noise);
     const bool says_nothing = !is_measured(v, i) || e_.radii[std::size_t(i)] < e_.least_radius[v];
     if (says_nothing) shape = 0;
     const double weight = shape / (shape + noise);
 
-    for (int c = 0; c < 2; ++c) {
-      s.detail[c] = slope_[v] * s.detail[c] + weight * (says_nothing ? 0 : innovation_[v][c]);
-      s.value[c] += s.detail[c];
+    State& state = states_[v];
+    for (int c = k * of_each_; c < (k + 1) * of_each_; ++c) {
+      state.detail[c] = slope_[v] * state.detail[c] + weight * (says_nothing ? 0 : innovation_[v][c]);
+      state.value[c] += state.detail[c];
     }
-    s.log_radius -= weight * std::log(e_.radii[std::size_t(i) + 1] / e_.radii[std::size_t(i)]);
+    if (k == 0) state.log_radius -= weight * std::log(e_.radii[std::size_t(i) + 1] / e_.radii[std::size_t(i)]);
     add_uncertainty(s, weight, shape, noise, slope_[v]);
   }
 
   /// Shape under the noise does not show: it is taken to be as large as could have hidden, but to fall with the scale.
-  static void add_uncertainty(State& s, double weight, double shape, double noise, double slope)
+  static void add_uncertainty(Strand& s, double weight, double shape, double noise, double slope)
   {
     constexpr double hidden_share = 0.07, largest_decay = 0.5;
     shape = std::max(shape, std::min(hidden_share * noise, largest_decay * s.shape_variance));
@@ -182,16 +201,22 @@ class Chain {
     const double beyond = e_.predict && scales_ > 1 ? std::min(1.0, first * first / gap(0)) : 0;
     ChainResult result;
     result.value.resize(n_);
+    result.variance.resize(n_);
     for (std::size_t v = 0; v < n_; ++v) {
       const State& s = states_[v];
-      for (int c = 0; c < 2; ++c) result.value[v][c] = s.value[c] + beyond * s.detail[c];
-      result.variance.push_back(s.variance + beyond * beyond * s.detail_variance + 2 * beyond * s.covariance);
+      for (int c = 0; c < 2; ++c) {
+        const Strand& strand = s.strands[std::min(c / of_each_, strands_ - 1)];
+        result.value[v][c] = s.value[c] + beyond * s.detail[c];
+        result.variance[v][c] =
+            strand.variance + beyond * beyond * strand.detail_variance + 2 * beyond * strand.covariance;
+      }
       result.radius.push_back(std::exp(s.log_radius));
     }
     return result;
   }
 
   const Signal& signal_;
+  const int strands_, of_each_;  ///< and components of each of them
   const ScaleEvidence& e_;
   const std::size_t n_, scales_;
   std::vector<State> states_;

@@ -11,10 +11,14 @@
 
 namespace integral_invariant {
 
+/// Whether two components are added together by what they show between them, or each by what it shows alone.
+enum class Evidence { joint, each };
+
 /// A quantity of up to two components, measured at every scale of every vertex, with noise whose differences between
 /// scales are independent (see disc_variance).
 struct Signal {
   int components;
+  Evidence evidence;
   std::vector<std::array<float, 2>> values;  ///< n × scales
   std::vector<float> noise;                  ///< n × scales: variance of either component
 };
@@ -29,9 +33,9 @@ struct ScaleEvidence {
 };
 
 struct ChainResult {
-  std::vector<std::array<double, 2>> value;  ///< n
-  std::vector<double> variance;              ///< n: of either component, expected squared error
-  std::vector<double> radius;                ///< n: of the ball that alone would smooth as much
+  std::vector<std::array<double, 2>> value;     ///< n
+  std::vector<std::array<double, 2>> variance;  ///< n: expected squared error of each component
+  std::vector<double> radius;                   ///< n: of the ball that alone would smooth the first one as much
 };
 
 /// From the largest scale down, the estimate grows by the estimated differences between neighbouring scales: x̂ = Y_top

@@ -22,17 +22,6 @@ struct Frame {
   Vec3 normal, u, v;
 };
 
-Frame frame_of(std::size_t vertex, const TensorField& tensors, const WholeBalls& balls)
-{
-  constexpr int usual_scale = 3;  // small, but not the prey of noise
-  const std::size_t scales = tensors.radii().size();
-  int scale = std::min(usual_scale, balls.largest[vertex]);
-  while (scale < balls.largest[vertex] && balls.origin[vertex * scales + std::size_t(scale)] == Origin::none) ++scale;
-  const Vec3 normal = tensors.at_scale(vertex, scale).normal;
-  const Vec3 u = any_orthogonal(normal);
-  return {normal, u, cross(normal, u)};
-}
-
 /// `a` turned as the shortest rotation turns `from` to `to`.
 Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
 {
@@ -40,6 +29,18 @@ Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
   if (cosine < -0.99) return a;
   const Vec3 axis = cross(from, to), once = cross(axis, a);
   return a + once + cross(axis, once) * (1 / (1 + cosine));
+}
+
+Frame frame_of(std::size_t vertex, const TensorField& tensors, const WholeBalls& balls)
+{
+  constexpr int usual_scale = 3;  // small, but not the prey of noise
+  const std::size_t scales = tensors.radii().size();
+  int scale = std::min(usual_scale, balls.largest[vertex]);
+  while (scale < balls.largest[vertex] && balls.origin[vertex * scales + std::size_t(scale)] == Origin::none) ++scale;
+  const Vec3 normal = tensors.at_scale(vertex, scale).normal;
+  const CurvatureTensor smoothest = tensors.at_scale(vertex, balls.largest[vertex]);
+  const Vec3 u = turned(principal_curvatures(smoothest).dir_max, smoothest.normal, normal);
+  return {normal, u, cross(normal, u)};
 }
 
 struct Signals {
@@ -63,7 +64,7 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
                      const Noise& noise, Execution& execution)
 {
   const std::size_t n = frames.size(), scales = tensors.radii().size();
-  Signals s{{1, {}, {}}, {2, {}, {}}, {2, {}, {}}};
+  Signals s{{1, Evidence::joint, {}, {}}, {2, Evidence::each, {}, {}}, {2, Evidence::each, {}, {}}};
   for (Signal* signal : {&s.mean, &s.deviator, &s.normal}) {
     signal->values.resize(n * scales);
     signal->noise.resize(n * scales);
@@ -118,7 +119,7 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
   constexpr double evident_residual = 6, least_variance = 1e-20;
   const std::size_t n = fits.size();
   const std::vector<char> is_near_crease = near_creases(surface, fits);
-  FittedSignals s{{1, {}, {}}, {2, {}, {}}, {2, {}, {}}};
+  FittedSignals s{{1, Evidence::joint, {}, {}}, {2, Evidence::each, {}, {}}, {2, Evidence::each, {}, {}}};
   for (FittedSignal* signal : {&s.mean, &s.deviator, &s.normal}) {
     signal->values.resize(n);
     signal->noise.assign(n, INFINITY);
@@ -212,7 +213,7 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   for (std::size_t v = 0; v < n; ++v) {
     result.tensor[v] = assemble(frames[v], mean.value[v][0], deviator.value[v], normal.value[v]);
     result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
-    const double variance = std::max(0.0, mean.variance[v] + deviator.variance[v]);
+    const double variance = std::max(0.0, mean.variance[v][0] + deviator.variance[v][0]);
     result.standard_error.push_back(std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v])));
   }
   result.radius = mean.radius;

@@ -13,25 +13,34 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
   constexpr double largest_energy = 25, evident_energy = 12, least_share = 1.5, undeniable_energy = 40;
   constexpr double least_noise = 1e-30;  // of fits that are exact: energies stay finite
   const std::size_t n = fitted.values.size();
-  std::vector<std::array<double, 2>> energies(n);
-  std::vector<double> own(n, 0);
+  const int strands = fitted.evidence == Evidence::each ? fitted.components : 1, of_each = fitted.components / strands;
+  std::vector<std::array<double, 3>> energies(n);
+  std::vector<std::array<double, 2>> own(n);
   for (std::size_t v = 0; v < n; ++v) {
-    energies[v] = {0, 0};
+    energies[v] = {};
+    own[v] = {};
     if (!std::isfinite(fitted.noise[v])) continue;
-    for (int c = 0; c < fitted.components; ++c) own[v] += std::pow(fitted.values[v][c] - result.value[v][c], 2);
-    own[v] /= fitted.components * (fitted.noise[v] + least_noise);
-    energies[v] = {1, std::min(own[v], largest_energy)};
+    energies[v][0] = 1;
+    for (int k = 0; k < strands; ++k) {
+      for (int c = k * of_each; c < (k + 1) * of_each; ++c)
+        own[v][k] += std::pow(fitted.values[v][c] - result.value[v][c], 2);
+      own[v][k] /= of_each * (fitted.noise[v] + least_noise);
+      energies[v][1 + k] = std::min(own[v][k], largest_energy);
+    }
   }
   const auto sums = pool.sums(energies);
   for (std::size_t v = 0; v < n; ++v) {
     if (!std::isfinite(fitted.noise[v])) continue;
-    double shape = sums[v][1] / sums[v][0] - 1;
-    if (shape < least_share && own[v] < undeniable_energy) continue;
-    shape = std::max(shape, own[v] - evident_energy);
-    const double weight = shape / (shape + 1);
-    for (int c = 0; c < fitted.components; ++c)
-      result.value[v][c] += weight * (fitted.values[v][c] - result.value[v][c]);
-    result.variance[v] = weight * fitted.noise[v];
+    for (int k = 0; k < strands; ++k) {
+      double shape = sums[v][1 + k] / sums[v][0] - 1;
+      if (shape < least_share && own[v][k] < undeniable_energy) continue;
+      shape = std::max(shape, own[v][k] - evident_energy);
+      const double weight = shape / (shape + 1);
+      for (int c = k * of_each; c < (k + 1) * of_each; ++c) {
+        result.value[v][c] += weight * (fitted.values[v][c] - result.value[v][c]);
+        result.variance[v][c] = weight * fitted.noise[v];
+      }
+    }
   }
 }
 

@@ -13,6 +13,7 @@ namespace integral_invariant {
 /// A quantity of up to two components as the fits to the vertices give it (vertex_fit.h).
 struct FittedSignal {
   int components;
+  Evidence evidence;
   std::vector<std::array<double, 2>> values;  ///< n
   std::vector<double> noise;                  ///< n: variance of either component; infinite where there is no fit
 };
