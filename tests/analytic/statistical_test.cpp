@@ -55,6 +55,20 @@ TEST(Statistical, NoisySphere)
   EXPECT_LT(mean_error(compute_curvature(noisy_sphere(0.5), statistical()), 1), 0.12);
 }
 
+// A torus's curvatures change from scale to scale, its directions do not: they are those of balls that average the noise.
+TEST(Statistical, DirectionsStayWhereOnlyCurvaturesChangeWithTheScale)
+{
+  const TriangleMesh clean = torus(1, 0.4, 128, 80);
+  const Result r = compute_curvature(with_normal_noise(clean, 0.1 * average_edge_length(clean)), statistical());
+  double angles = 0;
+  for (std::size_t v = 0; v < clean.positions.size(); ++v) {
+    const Vec3& p = clean.positions[v];
+    const Vec3 along = normalized({-p.y, p.x, 0});  // around the axis
+    angles += std::asin(std::min(1.0, norm(cross(r.dir_min[v], along))));
+  }
+  EXPECT_LT(angles / double(clean.positions.size()) * 180 / 3.14159265358979, 0.15);
+}
+
 TEST(Statistical, GivenNoiseIsTaken)
 {
   Parameters p = statistical();

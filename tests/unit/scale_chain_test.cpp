@@ -30,7 +30,7 @@ struct Setting {
   /// Truth plus slope · r² plus noise whose differences between scales are independent.
   Signal signal(double truth, double slope, double noise_density)
   {
-    Signal s{1, {}, {}};
+    Signal s{1, Evidence::joint, {}, {}};
     s.values.resize(places.size() * radii.size());
     s.noise.resize(s.values.size());
     std::mt19937 generator(5);
@@ -120,6 +120,26 @@ TEST(ScaleChain, TheLargestScaleAllowedIsTheLastThatCounts)
     for (std::size_t i = 4; i < radii.size(); ++i) s.values[v * radii.size() + i] = {100, 0};
   }
   EXPECT_NEAR(rms_error(setting, setting.run(s, 1e-4), 0.7), 0, 1e-6);
+}
+
+TEST(ScaleChain, AComponentOfNoiseAloneIsNotMovedByTheShapeOfTheOther)
+{
+  Setting setting(100);
+  const double density = 0.01;
+  Signal s = setting.signal(0.3, 0, density);  // the same as the first component, and a second one with shape
+  s.components = 2;
+  for (std::size_t v = 0; v < setting.places.size(); ++v)
+    for (std::size_t i = 0; i < radii.size(); ++i)
+      s.values[v * radii.size() + i][1] = float(0.7 + 0.01 * radii[i] * std::sin(setting.places[v].x));
+  s.evidence = Evidence::each;
+  const ChainResult each = setting.run(s, density);
+  s.evidence = Evidence::joint;
+  const ChainResult joint = setting.run(s, density);
+  const double largest_ball = std::sqrt(disc_variance::mean_curvature * density / std::pow(radii.back(), 6));
+  EXPECT_LT(rms_error(setting, each, 0.3), 2 * largest_ball);
+  EXPECT_GT(rms_error(setting, joint, 0.3), 10 * largest_ball);
+  EXPECT_LT(each.variance[5050][0], each.variance[5050][1]);
+  EXPECT_EQ(joint.variance[5050][0], joint.variance[5050][1]);
 }
 
 TEST(GridPool, SumsToTheTotalAndIsLocal)

@@ -20,7 +20,7 @@ struct Setting {
       for (int j = 0; j < 60; ++j) {
         places.push_back({double(i), double(j), 0});
         chain.value.push_back({truth + bias, 0});
-        chain.variance.push_back(bias * bias);
+        chain.variance.push_back({bias * bias, bias * bias});
         fitted.values.push_back({truth + gauss(generator), 0});
         fitted.noise.push_back(noise * noise);
       }
@@ -35,7 +35,7 @@ struct Setting {
   static constexpr double truth = 0.3;
   std::vector<Vec3> places;
   ChainResult chain;
-  FittedSignal fitted{1, {}, {}};
+  FittedSignal fitted{1, Evidence::joint, {}, {}};
 };
 
 }  // namespace
@@ -45,7 +45,7 @@ TEST(VertexStep, FitsOfLittleNoiseReplaceABiasedChain)
   Setting setting(0.01, 1e-5);
   add_vertex_step(setting.fitted, GridPool(setting.places, 8), setting.chain);
   EXPECT_LT(setting.mean_error(), 0.01 / 20);
-  EXPECT_NEAR(std::sqrt(setting.chain.variance[1000]), 1e-5, 1e-6);
+  EXPECT_NEAR(std::sqrt(setting.chain.variance[1000][0]), 1e-5, 1e-6);
 }
 
 TEST(VertexStep, NoisyFitsAreLeftAlone)

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "integral_invariant/curvature/fit_kernels.h"
+
 namespace integral_invariant {
 
 void monomials(double x, double y, int degree, Coefficients& m)
@@ -20,23 +22,16 @@ void monomials(double x, double y, int degree, Coefficients& m)
   }
 }
 
-template <int count>
-void HeightSystem::add_terms(const Coefficients& m, double height, double weight)
+HeightSystem::HeightSystem(const HeightPlaces& places, int degree)
 {
-  for (int i = 0; i < count; ++i) {
-    const double weighted = weight * m[i];
-    for (int j = 0; j <= i; ++j) a_[i][j] += weighted * m[j];
-    b_[i] += weighted * height;
-  }
+  sum_normal_equations(places, coefficient_count(degree), a_, b_);
 }
 
-void HeightSystem::add(const Coefficients& m, double height, double weight, int degree)
+void HeightSystem::add(const Coefficients& m, double height)
 {
-  // Loops of known lengths: this is called most.
-  switch (degree) {
-    case 4: return add_terms<coefficient_count(4)>(m, height, weight);
-    case 3: return add_terms<coefficient_count(3)>(m, height, weight);
-    default: return add_terms<coefficient_count(2)>(m, height, weight);
+  for (int i = 0; i < coefficient_count(2); ++i) {
+    for (int j = 0; j <= i; ++j) a_[i][j] += m[i] * m[j];
+    b_[i] += m[i] * height;
   }
 }
 
@@ -85,6 +80,16 @@ Coefficients HeightSystem::solution(int degree) const
   Coefficients c = b_;
   solve(c, degree);
   return c;
+}
+
+FitQuality HeightSystem::quality(const HeightPlaces& places, const std::array<const Coefficients*, 5>& parts, int degree) const
+{
+  const int n = coefficient_count(degree);
+  Coefficients heights = b_;
+  forward(heights, n);
+  std::array<Coefficients, 5> whitened;
+  for (std::size_t k = 0; k < parts.size(); ++k) forward(whitened[k] = *parts[k], n);
+  return fit_quality(places, n, a_, heights, whitened);
 }
 
 double HeightSystem::explained(const Coefficients& solution, int degree) const

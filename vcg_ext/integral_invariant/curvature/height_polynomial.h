@@ -12,19 +12,29 @@ namespace integral_invariant {
 inline constexpr int largest_degree = 4;
 constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 2) / 2; }
 using Coefficients = std::array<double, coefficient_count(largest_degree)>;
+using HeightMatrix = std::array<Coefficients, coefficient_count(largest_degree)>;
 void monomials(double x, double y, int degree, Coefficients& result);
+
+struct FitQuality;
+struct HeightPlaces;
 
 /// Normal equations of a weighted least squares fit.
 class HeightSystem {
  public:
-  /// One place. \pre degree 2, 3 or 4, the same for all
-  void add(const Coefficients& monomials, double height, double weight, int degree);
+  HeightSystem() = default;
+  /// Of all places at once. \pre they are complete for the degree
+  HeightSystem(const HeightPlaces& places, int degree);
+  /// One place of weight 1, of degree 2.
+  void add(const Coefficients& monomials, double height);
   /// Factors the system of the largest degree, up to the one given, that the places determine, and returns it; 0 where
   /// they leave even a plane open. add() cannot follow.
   int factor(int degree);
   /// (AᵀWA)⁻¹ b, and (AᵀWA)⁻¹ AᵀW h for the heights. \pre factor() returned at least `degree`
   void solve(Coefficients& b, int degree) const;
   Coefficients solution(int degree) const;
+  /// Of the places that the system was made of, for a fit of the `degree` that factor() returned or less; `parts` are what
+  /// multiplies the coefficients in quantities whose variance is asked for.
+  FitQuality quality(const HeightPlaces& places, const std::array<const Coefficients*, 5>& parts, int degree) const;
   /// Σ w h² of the heights h that `solution` gives, from the sums: what it explains of theirs. Call on a system before
   /// factor().
   double explained(const Coefficients& solution, int degree) const;
@@ -33,12 +43,10 @@ class HeightSystem {
   double inverse_form(Coefficients b, int degree) const;
 
  private:
-  template <int count>
-  void add_terms(const Coefficients& monomials, double height, double weight);
   void forward(Coefficients& x, int count) const;
 
   /// Lower triangle; then its Cholesky factor there and above the diagonal, with the inverse of what is on the diagonal.
-  std::array<Coefficients, coefficient_count(largest_degree)> a_{};
+  HeightMatrix a_{};
   Coefficients b_{};
 };
 

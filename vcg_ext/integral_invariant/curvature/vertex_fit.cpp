@@ -22,8 +22,9 @@ void set_variances(const VarianceOf& variance_of, double unit, VertexFit& fit)
   fit.normal_variance = (variance_of(3) + variance_of(4)) / (2 * unit2);
 }
 
-constexpr const Coefficients* parts[] = {&height_part::mean, &height_part::deviator_a, &height_part::deviator_b,
-                                         &height_part::slope_x, &height_part::slope_y};
+constexpr std::array<const Coefficients*, 5> parts = {&height_part::mean, &height_part::deviator_a,
+                                                      &height_part::deviator_b, &height_part::slope_x,
+                                                      &height_part::slope_y};
 
 }  // namespace
 
@@ -76,6 +77,7 @@ void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
 VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
 {
   constexpr std::size_t usual_count = 20;
+  static_assert(usual_count <= HeightPlaces::capacity);
   constexpr double weight_fall = 1.5;  // the farthest vertex weighs exp(−1.5)
   const HeightFrame frame(normal);
   walk_rings(v, frame);
@@ -85,42 +87,27 @@ VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
   places_.resize(count);
   const double squared_unit = places_.back().squared_distance, unit = std::sqrt(squared_unit);
   if (!(unit > 0)) return {};
-  const auto weight_of = [&](const Place& p) { return std::exp(-weight_fall * p.squared_distance / squared_unit); };
-
   int degree = nearest_degree;
   while (degree >= least_degree && int(count) <= coefficient_count(degree)) --degree;
   if (degree < least_degree) return {};
-  HeightSystem system;
-  Coefficients m{};
-  for (const Place& p : places_) {
-    monomials(p.x / unit, p.y / unit, degree, m);
-    system.add(m, p.height, weight_of(p), degree);
+  heights_in_lanes_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Place& p = places_[i];
+    const double weight = std::exp(-weight_fall * p.squared_distance / squared_unit);
+    heights_in_lanes_.set(i, p.x / unit, p.y / unit, p.height, weight);
   }
+  heights_in_lanes_.complete(degree);
+  HeightSystem system(heights_in_lanes_, degree);
   degree = system.factor(degree);
   if (degree < least_degree) return {};
-  const Coefficients c = system.solution(degree);
-  Coefficients influence[5];
-  for (int k = 0; k < 5; ++k) system.solve(influence[k] = *parts[k], degree);
 
-  const auto value = [n = coefficient_count(degree), &m](const Coefficients& a) {
-    double sum = 0;
-    for (int i = 0; i < n; ++i) sum += a[i] * m[i];
-    return sum;
-  };
-  double squares = 0, freedom = 0, variance[5] = {};
-  for (const Place& p : places_) {
-    monomials(p.x / unit, p.y / unit, degree, m);
-    const double w = weight_of(p), off = p.height - value(c);
-    squares += w * off * off;
-    freedom += w - w * w * system.inverse_form(m, degree);  // E Σ w off² = σ² Σ (w − w² mᵀ(AᵀWA)⁻¹m)
-    for (int k = 0; k < 5; ++k) variance[k] += std::pow(w * value(influence[k]), 2);
-  }
   VertexFit fit;
-  fit.tensor = graph_curvature(c, frame, unit);
+  fit.tensor = graph_curvature(system.solution(degree), frame, unit);
   fit.reach = unit;
-  set_variances([&](int k) { return variance[k]; }, unit, fit);
+  const FitQuality quality = system.quality(heights_in_lanes_, parts, degree);
+  set_variances([&](std::size_t k) { return quality.variance[k]; }, unit, fit);
   constexpr double least_freedom = 0.1;
-  if (freedom > least_freedom) fit.residual = squares / freedom;
+  if (quality.freedom > least_freedom) fit.residual = quality.squares / quality.freedom;
   return fit;
 }
 
@@ -140,7 +127,7 @@ void VertexFitter::take_into_disc(const Place& place)
 {
   Coefficients m{};
   monomials(place.x, place.y, disc_degree, m);
-  heights_.add(m, place.height, 1, disc_degree);
+  heights_.add(m, place.height);
   squares_ += place.height * place.height;
   sum_x_ += place.x;
   sum_y_ += place.y;
@@ -185,7 +172,7 @@ VertexFit VertexFitter::grow_disc(double radius)
   fit.tensor = graph_curvature(c, frame_, 1);
   const double freedom = double(disc_count_) - coefficient_count(disc_degree);
   fit.residual = std::max(0.0, squares_ - heights_.explained(c, disc_degree)) / freedom;
-  set_variances([&](int k) { return system.inverse_form(*parts[k], disc_degree); }, 1, fit);
+  set_variances([&](std::size_t k) { return system.inverse_form(*parts[k], disc_degree); }, 1, fit);
   return fit;
 }
 

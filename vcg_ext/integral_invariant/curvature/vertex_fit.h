@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "integral_invariant/curvature/fit_kernels.h"
 #include "integral_invariant/curvature/height_polynomial.h"
 #include "integral_invariant/curvature/scale_blend.h"
 #include "integral_invariant/support/execution.h"
@@ -58,6 +59,7 @@ class VertexFitter {
   std::uint32_t stamp_ = 0;
   std::vector<std::uint32_t> seen_, queue_;
   std::vector<Place> places_;
+  HeightPlaces heights_in_lanes_;
   // The disc: heights over a frame at its centre, the vertices that wait beyond its rim.
   HeightFrame frame_{{0, 0, 1}};
   Vec3 centre_;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "integral_invariant/moments/arc_ratio.h"
-#include "integral_invariant/moments/vector_clones.h"
+#include "integral_invariant/support/vector_lanes.h"
 
 namespace integral_invariant {
 
@@ -120,11 +120,6 @@ II_VECTOR_CLONES void add_tiny_chords(const CornerBatch& batch, const Vec3& cent
   add_groups<terms_4>(batch, centre, radius, pole, sums);
 }
 
-double sum_of(const double* lane)
-{
-  return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
-}
-
 }  // namespace
 
 II_VECTOR_CLONES
@@ -182,7 +177,7 @@ void add_corners(CornerBatch& batch, const Vec3& centre, double radius, const Ve
   batch.clear();
 
   double total[10];
-  for (std::size_t i = 0; i < 10; ++i) total[i] = sum_of(lane.value[i]);
+  for (std::size_t i = 0; i < 10; ++i) total[i] = sum_of_lanes(lane.value[i]);
   constexpr double f = 1.0 / 24, s = 1.0 / 120;
   sums.moments += {total[0] / 6,
                    {f * total[1], f * total[2], f * total[3]},

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "integral_invariant/moments/vector_clones.h"
+#include "integral_invariant/support/vector_lanes.h"
 
 namespace integral_invariant {
 
@@ -119,11 +119,6 @@ void grow_to(double r, const LaneSums& sum, double (&out)[11][lanes])
   }
 }
 
-double sum_of(const double* lane)
-{
-  return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
-}
-
 }  // namespace
 
 void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
@@ -142,7 +137,7 @@ MomentSums FluxSums::up_to(double r) const
   alignas(64) double lane[11][lanes];
   grow_to(r, lanes_, lane);
   double s[11];
-  for (std::size_t i = 0; i < 11; ++i) s[i] = sum_of(lane[i]);
+  for (std::size_t i = 0; i < 11; ++i) s[i] = sum_of_lanes(lane[i]);
   // The diagonal's part is given to all three axes: along the normal it is far under what stands there.
   return {s[0], {s[1], s[2], s[3]}, {s[4] + s[10], s[5], s[6], s[7] + s[10], s[8], s[9] + s[10]}};
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "integral_invariant/moments/arc_ratio.h"
-#include "integral_invariant/moments/vector_clones.h"
+#include "integral_invariant/support/vector_lanes.h"
 
 namespace integral_invariant {
 
@@ -54,11 +54,6 @@ void sum_arcs(const double* const* column, std::size_t count, const double* cent
   out = sums;
 }
 
-double sum_of(const double* lane)
-{
-  return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
-}
-
 }  // namespace
 
 void RimArcs::add_to(ArcSums& sums, const Vec3& centre, const Vec3& pole)
@@ -77,7 +72,7 @@ void RimArcs::add_to(ArcSums& sums, const Vec3& centre, const Vec3& pole)
   count_ = 0;
 
   double s[9];
-  for (std::size_t i = 0; i < 9; ++i) s[i] = sum_of(lane.value[i]);
+  for (std::size_t i = 0; i < 9; ++i) s[i] = sum_of_lanes(lane.value[i]);
   std::complex<double> product = 1;
   for (std::size_t j = 0; j < lanes; ++j) {
     const std::complex<double> factor(lane.real[j], lane.imaginary[j]);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "integral_invariant/moments/vector_clones.h"
+#include "integral_invariant/support/vector_lanes.h"
 
 namespace integral_invariant {
 

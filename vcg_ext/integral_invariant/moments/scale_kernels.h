@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "integral_invariant/support/vec3.h"
+#include "integral_invariant/support/vector_lanes.h"
 
 namespace integral_invariant {
-
-inline constexpr std::size_t kernel_lanes = 8;
 
 /// Spheres in columns, filled up to full lanes.
 class SphereColumns {
