@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How soon a run on a large mesh asks whether to go on: the longest processor time between two calls of the callback, in
-// every stage, must leave the user waiting 0.2 s at most.
+// every stage, must leave the user waiting 0.2 s at most. And that the worst of meshes do not make it wait for ever.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <ctime>
 
 #include "integral_invariant/features/crest_lines.h"
@@ -68,7 +69,36 @@ Parameters on_one_thread(Parameters p)
   return p;
 }
 
+/// Two cones over a circle: every vertex of it is a neighbour of both tips.
+TriangleMesh double_cone(int sides)
+{
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0.3}, {0, 0, -0.3}};
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / sides;
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 0});
+    const int a = 2 + i, b = 2 + (i + 1) % sides;
+    mesh.triangles.push_back({0, a, b});
+    mesh.triangles.push_back({1, b, a});
+  }
+  return mesh;
+}
+
+double seconds_of_default(const TriangleMesh& mesh)
+{
+  const double start = processor_seconds();
+  compute_curvature(mesh, on_one_thread({}));
+  return processor_seconds() - start;
+}
+
 }  // namespace
+
+TEST(Stopping, TimeDoesNotGrowWithTheSquareOfAHubsSpokes)
+{
+  constexpr int sides = 10000, times = 4;
+  const double few = seconds_of_default(double_cone(sides)), many = seconds_of_default(double_cone(times * sides));
+  EXPECT_LT(many, 2 * times * few);
+}
 
 TEST(Stopping, StatisticalRadiusAsksOftenEnough)
 {

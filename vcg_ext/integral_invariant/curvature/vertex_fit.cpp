@@ -49,11 +49,13 @@ void VertexFitter::start_at(std::size_t v)
 }
 
 /// The vertex, its neighbours and their neighbours: on a surface with creases more is not better. Further rings where
-/// these are few, as at a boundary: half a disc of three rows does not tell a cubic.
+/// these are few, as at a boundary: half a disc of three rows does not tell a cubic. Not by way of the hubs of large fans,
+/// whose neighbours are mostly far away: their number squared would be the work.
 void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
 {
   constexpr int rings = 2, most_rings = 4;
   constexpr std::size_t enough = 14;
+  constexpr std::uint32_t most_spokes = 512;
   const Vec3& centre = surface_.positions()[v];
   start_at(v);
   std::size_t next = 0;
@@ -62,8 +64,9 @@ void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
     for (const std::size_t end = queue_.size(); next < end; ++next) {
       const std::uint32_t u = queue_[next];
       places_.push_back(place_of(u, centre, frame));
-      if (is_last) continue;
-      for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e) {
+      const std::uint32_t begin_spokes = surface_.neighbour_start()[u], end_spokes = surface_.neighbour_start()[u + 1];
+      if (is_last || (u != v && end_spokes - begin_spokes > most_spokes)) continue;
+      for (std::uint32_t e = begin_spokes; e < end_spokes; ++e) {
         const std::uint32_t w = surface_.neighbours()[e];
         if (seen_[w] == stamp_) continue;
         seen_[w] = stamp_;
@@ -138,18 +141,23 @@ void VertexFitter::take_into_disc(const Place& place)
 VertexFit VertexFitter::grow_disc(double radius)
 {
   constexpr std::size_t least_count = 10;
+  // Four times what a mesh of even edges has in the largest ball. Where vertices are as dense
+  // as that, smaller discs have all that is needed, and larger ones would take the square of the density.
+  constexpr std::size_t most_count = 4096;
   const double squared_radius = radius * radius;
   // Heights count too: where the surface turns away it is no graph.
   constexpr double steepest = 2;
   const auto is_within = [&](const Place& p) {
     return p.squared_distance <= squared_radius && p.height * p.height <= steepest * steepest * squared_radius;
   };
+  const auto is_full = [&] { return disc_count_ > most_count; };
+  if (is_full()) return {};
   const auto first_within = std::partition(beyond_.begin(), beyond_.end(), [&](const Place& p) { return !is_within(p); });
   for (auto p = first_within; p != beyond_.end(); ++p) take_into_disc(*p);
   beyond_.erase(first_within, beyond_.end());
-  for (std::size_t next = 0; next < queue_.size(); ++next) {
+  for (std::size_t next = 0; next < queue_.size() && !is_full(); ++next) {
     const std::uint32_t u = queue_[next];
-    for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e) {
+    for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1] && !is_full(); ++e) {
       const std::uint32_t w = surface_.neighbours()[e];
       if (seen_[w] == stamp_) continue;
       seen_[w] = stamp_;
@@ -164,7 +172,7 @@ VertexFit VertexFitter::grow_disc(double radius)
   queue_.clear();
 
   HeightSystem system = heights_;
-  if (disc_count_ < least_count || system.factor(disc_degree) < disc_degree) return {};
+  if (disc_count_ < least_count || is_full() || system.factor(disc_degree) < disc_degree) return {};
   VertexFit fit;
   fit.reach = radius;
   fit.lean = std::hypot(sum_x_, sum_y_) / (double(disc_count_) * radius);

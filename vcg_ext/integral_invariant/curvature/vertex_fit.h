@@ -40,7 +40,7 @@ class VertexFitter {
   /// Begins a disc about v, across `normal`, which grow_disc() then lets grow.
   void start_disc(std::size_t v, const Vec3& normal);
   /// Quadric through all vertices that edges lead to within `radius` in the tangent plane and twice that in height; not under
-  /// the radius before. Over a whole disc the same as offset_free_measure(), to first order.
+  /// the radius before. None where these are more than 4096, and then for all larger radii. Over a whole disc the same as offset_free_measure(), to first order.
   /// Cost O(r²) in all, about 30 µs up to r = 16 ē.
   VertexFit grow_disc(double radius);
 
