@@ -72,7 +72,7 @@ Candidates make_candidates(const TruthMesh& truth, const TriangleMesh& noisy)
     offsets[v * radii.size() + std::size_t(i)] = float(m.offset);
   }, execution);
   const std::vector<VertexFit> fits = fit_vertices(surface, tensors, execution);
-  const Noise noise = estimate_noise(surface, tensors, offsets, fits, 0);
+  const Noise noise = estimate_noise(surface, tensors, offsets, fits, 0, execution);
 
   Candidates all;
   all.count = radii.size() + 1;

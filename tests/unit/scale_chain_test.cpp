@@ -24,7 +24,7 @@ struct Setting {
     balls.origin.assign(places.size() * radii.size(), Origin::own);
     balls.largest.assign(places.size(), int(radii.size()) - 1);
     least_radius.assign(places.size(), 0);
-    for (std::size_t i = 0; i + 1 < radii.size(); ++i) pools.emplace_back(places, std::max(8.0, 2 * radii[i + 1]));
+    for (std::size_t i = 0; i + 1 < radii.size(); ++i) pools.emplace_back(places, std::max(8.0, 2 * radii[i + 1]), execution);
   }
 
   /// Truth plus slope · r² plus noise whose differences between scales are independent.
@@ -52,9 +52,10 @@ struct Setting {
   {
     for (std::size_t place = 0; place < s.noise.size(); ++place)
       s.noise[place] = float(disc_variance::mean_curvature * noise_density / std::pow(radii[place % radii.size()], 6));
-    return run_scale_chain(s, {radii, balls, least_radius, pools, predict});
+    return run_scale_chain(s, {radii, balls, least_radius, pools, predict}, execution);
   }
 
+  Execution execution{1};
   std::vector<Vec3> places;
   WholeBalls balls;
   std::vector<double> least_radius;
@@ -148,10 +149,11 @@ TEST(GridPool, SumsToTheTotalAndIsLocal)
   for (int i = 0; i < 100; ++i) places.push_back({i * 0.37, std::sin(i * 1.0), 0});
   std::vector<std::array<double, 1>> ones(places.size(), {1.0}), single(places.size(), {0.0});
   single[0] = {1};
-  const GridPool pool(places, 2);
-  const auto spread = pool.sums(single);
+  Execution execution(1);
+  const GridPool pool(places, 2, execution);
+  const auto spread = pool.sums(single, execution);
   double total = 0;
-  const auto row_sums = pool.sums(ones);
+  const auto row_sums = pool.sums(ones, execution);
   for (std::size_t v = 0; v < places.size(); ++v) total += spread[v][0];
   EXPECT_NEAR(total, row_sums[0][0], 1e-6);  // the kernel is symmetric
   EXPECT_EQ(spread[50][0], 0);

@@ -131,8 +131,7 @@ void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32
 {
   execution.begin_stage("noise", 83);
   const std::vector<VertexFit> fits = fit_vertices(surface, field.tensors, execution);
-  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(),
-                                     [&] { execution.report(1); });
+  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
 
   execution.begin_stage("weighing the scales", 99);
   const StatisticalCurvature best =
@@ -141,10 +140,10 @@ void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32
   execution.begin_stage("principal curvatures", 100);
   result.converged = surface.vertex_count();
   result.noise = noise.mean_sigma * surface.unit();
-  for (std::size_t v = 0; v < best.tensor.size(); ++v) {
+  for_each_index(best.tensor.size(), execution, [&](std::size_t v) {
     write_vertex(best.tensor[v], best.radius[v], surface.unit(), caller[v], result);
     result.standard_error[caller[v]] = best.standard_error[v] / surface.unit();
-  }
+  });
 }
 
 /// Noise beyond this, in average edge lengths, leaves nothing to measure, and its powers overflow.

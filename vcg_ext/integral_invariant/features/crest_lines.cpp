@@ -124,6 +124,19 @@ double sharpness_at(const Surface& surface, const SurfaceWalk& walk, std::int32_
   return 2 * (1 - mean_beside(walk, t, middle, profile, way) / kappa) / (relative_way * relative_way);
 }
 
+/// The value up to which half of the weights are.
+double weighted_median(std::vector<std::pair<double, double>> values_and_weights)
+{
+  std::sort(values_and_weights.begin(), values_and_weights.end());
+  double half = 0;
+  for (const auto& [value, weight] : values_and_weights) half += weight / 2;
+  for (const auto& [value, weight] : values_and_weights) {
+    half -= weight;
+    if (half <= 0) return value;
+  }
+  return 0;
+}
+
 CrestLine measured_line(const Surface& surface, const SurfaceWalk& walk, const Profile& profile,
                         const std::vector<CrestSegment>& segments, const CrestChain& chain)
 {
@@ -134,17 +147,18 @@ CrestLine measured_line(const Surface& surface, const SurfaceWalk& walk, const P
     line.points.push_back(crossing(surface.triangles()[step.triangle], step.enter, profile));
   if (!chain.closed)
     line.points.push_back(crossing(surface.triangles()[chain.steps.back().triangle], chain.steps.back().leave, profile));
-  double sharpness = 0, length = 0;
+  double length = 0;
+  std::vector<std::pair<double, double>> sharpness;  // and for how long
   for (std::size_t i = 0; i < chain.steps.size(); ++i) {
     const std::int32_t t = chain.steps[i].triangle;
     const SurfacePoint &a = line.points[i], &b = line.points[(i + 1) % line.points.size()];
     const double ds = norm(interpolate(surface.positions(), b) - interpolate(surface.positions(), a));
     length += ds;
     line.strength += std::max(segments[t].curvature, 0.0) * ds;
-    sharpness += sharpness_at(surface, walk, t, profile) * ds;
+    sharpness.emplace_back(sharpness_at(surface, walk, t, profile), ds);
   }
   line.length = length * surface.unit();
-  line.sharpness = length > 0 ? sharpness / length : 0;
+  line.sharpness = weighted_median(std::move(sharpness));
   return line;
 }
 

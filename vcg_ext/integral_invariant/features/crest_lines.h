@@ -25,7 +25,7 @@ struct CrestLine {
   bool closed = false;            ///< the last point is joined to the first
   double length = 0;              ///< L
   double strength = 0;            ///< ∫ |κ| ds along the line: no unit. 1: as long as the radius it bends around
-  /// Mean along the line of −κ″/κ³ across it: no unit. Cylinder and sphere 0, end of an ellipse a > b: 3 (1 − b²/a²).
+  /// Median along the line of −κ″/κ³ across it (its ends may run into a crease, beside which κ is far larger): no unit. Cylinder and sphere 0, end of an ellipse a > b: 3 (1 − b²/a²).
   /// κ″ is the second difference over half the radius 1/κ to both sides: over an edge length it would be all noise.
   double sharpness = 0;
 };

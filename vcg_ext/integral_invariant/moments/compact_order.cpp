@@ -61,17 +61,17 @@ void order_compactly(std::vector<PlacedItem>& items, std::size_t run, Execution&
   std::vector<Part> parts{{items.data(), items.data() + items.size(), left}};
   while (parts.size() < parts_per_worker * std::size_t(execution.threads()) && parts.size() * least_part < items.size()) {
     std::vector<Part> shares(2 * parts.size());
-    parallel_for(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
+    parallel_step(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t i = begin; i < end; ++i) {
         const std::array<Part, 2> pair = halves(parts[i], run);
         std::copy(pair.begin(), pair.end(), shares.begin() + std::ptrdiff_t(2 * i));
       }
-    }, 0, 0);
+    });
     parts.swap(shares);
   }
-  parallel_for(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
+  parallel_step(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t i = begin; i < end; ++i) split(parts[i], run);
-  }, 0, 0);
+  });
 }
 
 }  // namespace integral_invariant

@@ -32,7 +32,7 @@ SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense, Execution& ex
       is_border_(order_.points.size(), false)
 {
   for (const FreeEdge& edge : order_.free_edges) is_border_[edge.from] = is_border_[edge.to] = true;
-  execution.report(0);
+  execution.check();
   sum_moments(execution);
 }
 
@@ -42,10 +42,10 @@ void SurfaceTree::sum_moments(Execution& execution)
   moments_.resize(levels.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
     moments_[level].resize(levels[level].size());
-    parallel_for(levels[level].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {
+    parallel_step(levels[level].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t node = begin; node < end; ++node)
         moments_[level][node] = level == 0 ? moments_of_leaf(node) : moments_of_children(level, node);
-    }, 0, 0);
+    });
   }
 }
 

@@ -175,10 +175,10 @@ void find_free_edges(SpatialOrder& order, Execution& execution)
     return std::make_pair(a.high, a.opposite) < std::make_pair(b.high, b.opposite);
   };
   // Filled, a bucket ends where its start has moved to.
-  parallel_for(order.points.size(), 8192, execution, [&](std::size_t begin, std::size_t end, int) {
+  parallel_step(order.points.size(), 8192, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t point = begin; point < end; ++point)
       std::sort(edges.begin() + std::ptrdiff_t(point == 0 ? 0 : start[point - 1]), edges.begin() + std::ptrdiff_t(start[point]), less);
-  }, 0, 0);
+  });
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) ++j;
     add_free_edge(edges.data() + i, edges.data() + j, order.free_edges);
@@ -192,9 +192,9 @@ SpatialOrder order_in_space(const Surface& surface, bool merge_dense, Execution&
   SpatialOrder order;
   std::vector<std::uint32_t> point_of = merge_places(surface, merge_dense, order);
   order_points(order, point_of, execution);
-  execution.report(0);
+  execution.check();
   order_triangles(surface, point_of, order, execution);
-  execution.report(0);
+  execution.check();
   find_normals(order);
   find_free_edges(order, execution);
   return order;

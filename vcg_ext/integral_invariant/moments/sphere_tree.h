@@ -30,14 +30,14 @@ class SphereTree {
   SphereTree(std::size_t count, const ItemSphere& item_sphere, Execution& execution) : count_(count)
   {
     levels_.emplace_back((count + leaf_size - 1) / leaf_size);
-    parallel_for(levels_[0].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {
+    parallel_step(levels_[0].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {
       std::vector<Sphere> spheres;
       for (std::size_t leaf = begin; leaf < end; ++leaf) {
         spheres.clear();
         for (std::size_t i = item_begin(leaf); i < item_end(leaf); ++i) spheres.push_back(item_sphere(i));
         levels_[0][leaf] = bounding_sphere(spheres.data(), spheres.size());
       }
-    }, 0, 0);
+    });
     while (levels_.back().size() > 1) add_level();
   }
 

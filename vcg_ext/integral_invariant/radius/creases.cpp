@@ -3,6 +3,7 @@
 // Cost: O(n), and O(n log n) where there are creases. Source: Dijkstra's method; docs/accuracy.md.
 #include "integral_invariant/radius/creases.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -38,14 +39,16 @@ bool is_polynomial(const VertexFit& fit)
 }
 
 /// Along the edges from the vertices in `is_start`, as far as `limit`.
-std::vector<float> distances(const Surface& surface, const std::vector<char>& is_start, double limit)
+std::vector<float> distances(const Surface& surface, const std::vector<char>& is_start, double limit, Execution& execution)
 {
   using Reached = std::pair<float, std::uint32_t>;
   std::vector<float> distance(is_start.size(), INFINITY);
   std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> next;
   for (std::size_t v = 0; v < is_start.size(); ++v)
     if (is_start[v]) next.push({distance[v] = 0, std::uint32_t(v)});
-  while (!next.empty()) {
+  constexpr std::size_t check_interval = 65536;
+  for (std::size_t popped = 1; !next.empty(); ++popped) {
+    if (popped % check_interval == 0) execution.check();
     const auto [d, v] = next.top();
     next.pop();
     if (d > distance[v]) continue;
@@ -73,14 +76,11 @@ Creases find_creases(const Surface& surface, const TensorField& tensors, const s
   Creases creases;
   creases.scale = int(scale);
   creases.is_crease.assign(surface.vertex_count(), 0);
-  bool has_any = false;
-  for (std::size_t v = 0; v < creases.is_crease.size(); ++v) {
+  for_each_index(creases.is_crease.size(), execution, [&](std::size_t v) {
     creases.is_crease[v] = is_fold(v, int(scale), tensors, noise) && !is_polynomial(fits[v]);
-    has_any = has_any || creases.is_crease[v];
-  }
-  if (!has_any) return {};
-  execution.report(0.12);
-  creases.distance = distances(surface, creases.is_crease, radii.back());
+  });
+  if (std::find(creases.is_crease.begin(), creases.is_crease.end(), 1) == creases.is_crease.end()) return {};
+  creases.distance = distances(surface, creases.is_crease, radii.back(), execution);
   return creases;
 }
 

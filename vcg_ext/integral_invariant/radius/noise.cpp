@@ -76,7 +76,7 @@ double smoothness(const CurvatureTensor& tensor, double radius)
 
 /// σ² of the neighbourhood, from the residuals of the fits; −1 where there is none. Creases stand out of it: first the
 /// average of the logarithms, which they move little, then of those that agree with it.
-std::vector<double> residual_variance(const std::vector<VertexFit>& fits, const GridPool& pool)
+std::vector<double> residual_variance(const std::vector<VertexFit>& fits, const GridPool& pool, Execution& execution)
 {
   constexpr double least = 1e-20, evident = 6;
   constexpr int rounds = 4;
@@ -84,19 +84,22 @@ std::vector<double> residual_variance(const std::vector<VertexFit>& fits, const 
   std::vector<double> variance(n, -1);
   std::vector<std::array<double, 2>> local(n);
   const auto counts = [&](std::size_t v) { return fits[v].residual >= 0; };
-  for (std::size_t v = 0; v < n; ++v)
+  for_each_index(n, execution, [&](std::size_t v) {
     local[v] = {counts(v) ? 1.0 : 0, counts(v) ? std::log(fits[v].residual + least) : 0};
-  const auto logarithms = pool.sums(local);
-  for (std::size_t v = 0; v < n; ++v)
+  });
+  const auto logarithms = pool.sums(local, execution);
+  for_each_index(n, execution, [&](std::size_t v) {
     if (logarithms[v][0] > 1e-3) variance[v] = std::exp(logarithms[v][1] / logarithms[v][0]);
+  });
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t v = 0; v < n; ++v) {
+    for_each_index(n, execution, [&](std::size_t v) {
       const bool agrees = counts(v) && fits[v].residual < evident * variance[v];
       local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual : 0};
-    }
-    const auto sums = pool.sums(local);
-    for (std::size_t v = 0; v < n; ++v)
+    });
+    const auto sums = pool.sums(local, execution);
+    for_each_index(n, execution, [&](std::size_t v) {
       if (sums[v][0] > 1e-3) variance[v] = sums[v][1] / sums[v][0];
+    });
   }
   return variance;
 }
@@ -104,7 +107,7 @@ std::vector<double> residual_variance(const std::vector<VertexFit>& fits, const 
 }  // namespace
 
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
-                     const std::vector<VertexFit>& fits, double known_sigma, const BetweenSteps& between_steps)
+                     const std::vector<VertexFit>& fits, double known_sigma, Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   const OffsetScales s = offset_scales(tensors.radii());
@@ -119,7 +122,7 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   noise.flatness.resize(n);
   std::vector<double> uneven(n);  // how much triangles differ in how far they lie inside
   std::vector<std::array<double, 2>> local(n);
-  for (std::size_t v = 0; v < n; ++v) {
+  for_each_index(n, execution, [&](std::size_t v) {
     const double counts = surface.is_referenced(v) ? smoothness(tensors.at_scale(v, calm), tensors.radii()[calm]) : 0;
     const CurvatureTensor small = tensors.at_scale(v, s.first + 1);
     const SquaredEdges edges = squared_edges(surface, v, small.normal);
@@ -131,12 +134,10 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
                           s.second_weight * offsets[v * scales + s.first + 1] + mean * edges.mean / 8;
     noise.offset[v] = counts > 0 ? offset : 0;
     local[v] = {counts * area[v], counts * area[v] * area[v]};
-  }
-  const GridPool pool(surface.positions(), pool_cell);
-  const auto pooled_area = pool.sums(local);
-  if (between_steps) between_steps();
-  const std::vector<double> variance = residual_variance(fits, pool);
-  if (between_steps) between_steps();
+  });
+  const GridPool pool(surface.positions(), pool_cell, execution);
+  const auto pooled_area = pool.sums(local, execution);
+  const std::vector<double> variance = residual_variance(fits, pool, execution);
 
   // Vertices without fits around get the average of the others.
   double variance_sum = 0, count = 0;

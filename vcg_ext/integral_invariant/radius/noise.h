@@ -29,7 +29,6 @@ struct Noise {
 /// instead of σ.
 /// \pre at least two scales. Cost O(n).
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
-                     const std::vector<VertexFit>& fits, double known_sigma,
-                     const BetweenSteps& between_steps = {});
+                     const std::vector<VertexFit>& fits, double known_sigma, Execution& execution);
 
 }  // namespace integral_invariant

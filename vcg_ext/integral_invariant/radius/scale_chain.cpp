@@ -33,9 +33,9 @@ struct State {
 
 class Chain {
  public:
-  Chain(const Signal& signal, const ScaleEvidence& evidence)
+  Chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution)
       : signal_(signal), strands_(signal.evidence == Evidence::each ? signal.components : 1),
-        of_each_(signal.components / strands_), e_(evidence), n_(evidence.least_radius.size()), scales_(evidence.radii.size()), states_(n_),
+        of_each_(signal.components / strands_), e_(evidence), execution_(execution), n_(evidence.least_radius.size()), scales_(evidence.radii.size()), states_(n_),
         slope_(n_), innovation_(n_)
   {
   }
@@ -88,13 +88,13 @@ class Chain {
 
   void start_at(int i)
   {
-    for (std::size_t v = 0; v < n_; ++v) {
-      if (e_.balls.largest[v] != i) continue;
+    for_each_index(n_, execution_, [&](std::size_t v) {
+      if (e_.balls.largest[v] != i) return;
       const auto& y = signal_.values[v * scales_ + std::size_t(i)];
       states_[v].value = {double(y[0]), double(y[1])};
       for (Strand& strand : states_[v].strands) strand.variance = noise_of(v, i);
       states_[v].log_radius = std::log(e_.radii[std::size_t(i)]);
-    }
+    });
   }
 
   /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias. Where
@@ -105,21 +105,21 @@ class Chain {
     std::fill(slope_.begin(), slope_.end(), 0.0);
     if (!e_.predict || i + 2 >= int(scales_)) return;
     std::vector<std::array<double, 4>> products(n_);
-    for (std::size_t v = 0; v < n_; ++v) {
+    for_each_index(n_, execution_, [&](std::size_t v) {
       products[v] = {};
-      if (i + 1 >= e_.balls.largest[v] || !is_measured(v, i)) continue;
+      if (i + 1 >= e_.balls.largest[v] || !is_measured(v, i)) return;
       const double square = dot(states_[v].detail, states_[v].detail);
       products[v] = {dot(difference(v, i), states_[v].detail), square, square * square, 1};
-    }
-    const auto sums = e_.pools[std::size_t(i)].sums(products);
+    });
+    const auto sums = e_.pools[std::size_t(i)].sums(products, execution_);
     const double square_law = gap(i) / gap(i + 1), sharing = e_.radii[std::size_t(i)] * e_.radii[std::size_t(i)];
-    for (std::size_t v = 0; v < n_; ++v) {
+    for_each_index(n_, execution_, [&](std::size_t v) {
       const auto& [product, square, fourth_power, count] = sums[v];
       const double noise = signal_.components * noise_between(v, i), doubt = doubt_share * sharing * noise;
       if (square + doubt > 0)
         slope_[v] = std::clamp((product + doubt * square_law) / (square + doubt), 0.0,
                                square_law * steepness(square, fourth_power, count, noise));
-    }
+    });
   }
 
   /// How much more than r² the differences of a neighbourhood may carry on: balls as large as the bumps no longer see
@@ -135,25 +135,25 @@ class Chain {
   void update(int i)
   {
     std::vector<std::array<double, 4>> energies(n_);
-    for (std::size_t v = 0; v < n_; ++v) {
+    for_each_index(n_, execution_, [&](std::size_t v) {
       energies[v] = {};
       innovation_[v] = {};
-      if (i >= e_.balls.largest[v] || !is_measured(v, i)) continue;
+      if (i >= e_.balls.largest[v] || !is_measured(v, i)) return;
       const Pair d = difference(v, i);
       for (int c = 0; c < 2; ++c) innovation_[v][c] = d[c] - slope_[v] * states_[v].detail[c];
       const double noise = noise_between(v, i);
       // By the noise: noisy members tell less. A crease must not spread its strength over the flat parts around.
       energies[v] = {1 / noise, 1, 0, 0};
       for (int k = 0; k < strands_; ++k) energies[v][2 + k] = std::min(energy(v, k) / noise, largest_energy);
-    }
-    const auto sums = e_.pools[std::size_t(i)].sums(energies);
-    for (std::size_t v = 0; v < n_; ++v) {
-      if (i >= e_.balls.largest[v]) continue;
+    });
+    const auto sums = e_.pools[std::size_t(i)].sums(energies, execution_);
+    for_each_index(n_, execution_, [&](std::size_t v) {
+      if (i >= e_.balls.largest[v]) return;
       for (int k = 0; k < strands_; ++k) {
         const double mean = sums[v][0] > 0 ? std::max(0.0, (sums[v][2 + k] - sums[v][1]) / sums[v][0]) : 0;
         update_strand(v, i, k, mean);
       }
-    }
+    });
   }
 
   /// `shape`: P by the neighbourhood's average.
@@ -202,7 +202,8 @@ class Chain {
     ChainResult result;
     result.value.resize(n_);
     result.variance.resize(n_);
-    for (std::size_t v = 0; v < n_; ++v) {
+    result.radius.resize(n_);
+    for_each_index(n_, execution_, [&](std::size_t v) {
       const State& s = states_[v];
       for (int c = 0; c < 2; ++c) {
         const Strand& strand = s.strands[std::min(c / of_each_, strands_ - 1)];
@@ -210,14 +211,15 @@ class Chain {
         result.variance[v][c] =
             strand.variance + beyond * beyond * strand.detail_variance + 2 * beyond * strand.covariance;
       }
-      result.radius.push_back(std::exp(s.log_radius));
-    }
+      result.radius[v] = std::exp(s.log_radius);
+    });
     return result;
   }
 
   const Signal& signal_;
   const int strands_, of_each_;  ///< and components of each of them
   const ScaleEvidence& e_;
+  Execution& execution_;
   const std::size_t n_, scales_;
   std::vector<State> states_;
   std::vector<double> slope_;
@@ -226,9 +228,9 @@ class Chain {
 
 }  // namespace
 
-ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence)
+ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution)
 {
-  return Chain(signal, evidence).run();
+  return Chain(signal, evidence, execution).run();
 }
 
 }  // namespace integral_invariant

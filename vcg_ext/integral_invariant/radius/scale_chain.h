@@ -48,6 +48,6 @@ struct ChainResult {
 /// is added; where it shows shape w is 1 and the larger scales cancel. Below the smallest scale the bias is
 /// extrapolated as r². Cost O(n · scales), about 3
 /// µs a vertex and scale.
-ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence);
+ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution);
 
 }  // namespace integral_invariant

@@ -114,7 +114,7 @@ std::vector<char> near_creases(const Surface& surface, const std::vector<VertexF
 }
 
 FittedSignals make_fitted_signals(const Surface& surface, const std::vector<VertexFit>& fits,
-                                  const std::vector<Frame>& frames, const Noise& noise)
+                                  const std::vector<Frame>& frames, const Noise& noise, Execution& execution)
 {
   constexpr double evident_residual = 6, least_variance = 1e-20;
   const std::size_t n = fits.size();
@@ -124,9 +124,9 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
     signal->values.resize(n);
     signal->noise.assign(n, INFINITY);
   }
-  for (std::size_t v = 0; v < n; ++v) {
+  for_each_index(n, execution, [&](std::size_t v) {
     const VertexFit& fit = fits[v];
-    if (!(fit.tensor.confidence > 0) || is_near_crease[v]) continue;
+    if (!(fit.tensor.confidence > 0) || is_near_crease[v]) return;
     const Components c = components_of(fit.tensor, frames[v]);
     double variance = noise.sigma[v] * noise.sigma[v];
     if (fit.residual > evident_residual * variance) variance = fit.residual;
@@ -137,7 +137,7 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
     s.mean.noise[v] = fit.mean_variance * variance;
     s.deviator.noise[v] = fit.deviator_variance * variance;
     s.normal.noise[v] = fit.normal_variance * variance;
-  }
+  });
   return s;
 }
 
@@ -180,42 +180,43 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
 
   std::vector<Frame> frames(n);
   std::vector<double> least_radius(n);
-  for (std::size_t v = 0; v < n; ++v) {
+  for_each_index(n, execution, [&](std::size_t v) {
     frames[v] = frame_of(v, tensors, balls);
     least_radius[v] = least_radius_over_sigma * noise.sigma[v];
-  }
+  });
   const Signals signals = make_signals(tensors, balls, frames, noise, execution);
 
   constexpr double pool_over_radius = 2, least_pool = 8;
   std::vector<GridPool> pools;
   for (std::size_t i = 0; i + 1 < radii.size(); ++i) {
-    pools.emplace_back(surface.positions(), std::max(least_pool, pool_over_radius * radii[i + 1]));
+    pools.emplace_back(surface.positions(), std::max(least_pool, pool_over_radius * radii[i + 1]), execution);
     execution.report(0.3 + 0.2 * double(i) / double(radii.size()));
   }
   const ScaleEvidence evidence{radii, balls, least_radius, pools, removes_bias};
-  ChainResult mean = run_scale_chain(signals.mean, evidence);
+  ChainResult mean = run_scale_chain(signals.mean, evidence, execution);
   execution.report(0.65);
-  ChainResult deviator = run_scale_chain(signals.deviator, evidence);
+  ChainResult deviator = run_scale_chain(signals.deviator, evidence, execution);
   execution.report(0.8);
-  ChainResult normal = run_scale_chain(signals.normal, evidence);
+  ChainResult normal = run_scale_chain(signals.normal, evidence, execution);
   execution.report(0.95);
 
   if (removes_bias) {
-    const FittedSignals fitted = make_fitted_signals(surface, fits, frames, noise);
-    add_vertex_step(fitted.mean, pools.front(), mean);
-    add_vertex_step(fitted.deviator, pools.front(), deviator);
-    add_vertex_step(fitted.normal, pools.front(), normal);
+    const FittedSignals fitted = make_fitted_signals(surface, fits, frames, noise, execution);
+    add_vertex_step(fitted.mean, pools.front(), mean, execution);
+    add_vertex_step(fitted.deviator, pools.front(), deviator, execution);
+    add_vertex_step(fitted.normal, pools.front(), normal, execution);
   }
   // Measured: variances are first order in the noise; slopes of strong noise make the errors larger.
   constexpr double second_order = 1.5;
   StatisticalCurvature result;
   result.tensor.resize(n);
-  for (std::size_t v = 0; v < n; ++v) {
+  result.standard_error.resize(n);
+  for_each_index(n, execution, [&](std::size_t v) {
     result.tensor[v] = assemble(frames[v], mean.value[v][0], deviator.value[v], normal.value[v]);
     result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
     const double variance = std::max(0.0, mean.variance[v][0] + deviator.variance[v][0]);
-    result.standard_error.push_back(std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v])));
-  }
+    result.standard_error[v] = std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v]));
+  });
   result.radius = mean.radius;
   return result;
 }

@@ -8,7 +8,8 @@
 
 namespace integral_invariant {
 
-void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result)
+void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result,
+                     Execution& execution)
 {
   constexpr double largest_energy = 25, evident_energy = 12, least_share = 1.5, undeniable_energy = 40;
   constexpr double least_noise = 1e-30;  // of fits that are exact: energies stay finite
@@ -16,10 +17,10 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
   const int strands = fitted.evidence == Evidence::each ? fitted.components : 1, of_each = fitted.components / strands;
   std::vector<std::array<double, 3>> energies(n);
   std::vector<std::array<double, 2>> own(n);
-  for (std::size_t v = 0; v < n; ++v) {
+  for_each_index(n, execution, [&](std::size_t v) {
     energies[v] = {};
     own[v] = {};
-    if (!std::isfinite(fitted.noise[v])) continue;
+    if (!std::isfinite(fitted.noise[v])) return;
     energies[v][0] = 1;
     for (int k = 0; k < strands; ++k) {
       for (int c = k * of_each; c < (k + 1) * of_each; ++c)
@@ -27,10 +28,10 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
       own[v][k] /= of_each * (fitted.noise[v] + least_noise);
       energies[v][1 + k] = std::min(own[v][k], largest_energy);
     }
-  }
-  const auto sums = pool.sums(energies);
-  for (std::size_t v = 0; v < n; ++v) {
-    if (!std::isfinite(fitted.noise[v])) continue;
+  });
+  const auto sums = pool.sums(energies, execution);
+  for_each_index(n, execution, [&](std::size_t v) {
+    if (!std::isfinite(fitted.noise[v])) return;
     for (int k = 0; k < strands; ++k) {
       double shape = sums[v][1 + k] / sums[v][0] - 1;
       if (shape < least_share && own[v][k] < undeniable_energy) continue;
@@ -41,7 +42,7 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
         result.variance[v][c] = weight * fitted.noise[v];
       }
     }
-  }
+  });
 }
 
 }  // namespace integral_invariant

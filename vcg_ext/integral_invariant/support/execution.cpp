@@ -129,6 +129,7 @@ void Execution::finish() { end_stage(); }
 
 void Execution::report(double fraction)
 {
+  fraction_ = fraction;
   if (!callback_) return;
   const auto now = Clock::now();
   if (now - last_report_ < report_interval) return;

@@ -10,9 +10,6 @@
 
 namespace integral_invariant {
 
-/// Called between the steps of longer work on one thread; ends it by throwing. May be empty.
-using BetweenSteps = std::function<void()>;
-
 /// Receives the percentage done (0 to 100) and the name of the stage; false asks to stop.
 using ProgressCallback = std::function<bool(int percent, const char* stage)>;
 
@@ -41,6 +38,10 @@ class Execution {
 
   /// Tells the callback what fraction (0 to 1) of the stage is done. Owner thread only. \throw Cancelled
   void report(double fraction);
+  /// The fraction last told.
+  double fraction() const { return fraction_; }
+  /// Asks the callback whether to go on, at the fraction last told. Owner thread only. \throw Cancelled
+  void check() { report(fraction_); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -50,7 +51,7 @@ class Execution {
   int threads_;
   ProgressCallback callback_;
   std::string stage_;
-  double first_percent_ = 0, end_percent_ = 0;
+  double first_percent_ = 0, end_percent_ = 0, fraction_ = 0;
   Clock::time_point stage_start_{}, last_report_{};
   std::vector<StageTime> stage_times_;
 };
@@ -64,5 +65,20 @@ using RangeBody = std::function<void(std::size_t begin, std::size_t end, int wor
 /// \throw the first exception thrown by a body; Cancelled. All workers have ended by then.
 void parallel_for(std::size_t count, std::size_t grain, Execution& execution, const RangeBody& body,
                   double from = 0, double to = 1);
+/// The same for one step of a stage: progress stays where it is.
+inline void parallel_step(std::size_t count, std::size_t grain, Execution& execution, const RangeBody& body)
+{
+  parallel_for(count, grain, execution, body, execution.fraction(), execution.fraction());
+}
+
+/// A step that calls `body` with every index in [0, count).
+template <class Body>
+void for_each_index(std::size_t count, Execution& execution, const Body& body)
+{
+  constexpr std::size_t grain = 4096;
+  parallel_step(count, grain, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  });
+}
 
 }  // namespace integral_invariant

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/vec3.h"
 
 namespace integral_invariant {
@@ -15,33 +16,38 @@ namespace integral_invariant {
 /// and has standard deviation 0.58 cells along each axis; its largest value is under 1.
 class GridPool {
  public:
-  /// Cost O(n), 32 bytes a place.
-  GridPool(const std::vector<Vec3>& places, double cell);
+  /// Cost O(n), 44 bytes a place; the less the nearer consecutive places are.
+  GridPool(const std::vector<Vec3>& places, double cell, Execution& execution);
 
   /// Row v of the result holds Σ_u K(v, u) values[u], column by column. Cost O(n · columns); the order of summation is
   /// fixed.
   template <std::size_t columns>
-  std::vector<std::array<double, columns>> sums(const std::vector<std::array<double, columns>>& values) const
+  std::vector<std::array<double, columns>> sums(const std::vector<std::array<double, columns>>& values,
+                                                Execution& execution) const
   {
     std::vector<std::array<double, columns>> nodes(node_count_), result(values.size());
-    for (std::size_t v = 0; v < values.size(); ++v)
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      if (v % check_interval == 0) execution.check();
       for (int corner = 0; corner < 8; ++corner) {
         auto& node = nodes[corners_[v][corner]];
         const double weight = weight_of(v, corner);
         for (std::size_t c = 0; c < columns; ++c) node[c] += weight * values[v][c];
       }
-    for (std::size_t v = 0; v < values.size(); ++v) {
+    }
+    for_each_index(values.size(), execution, [&](std::size_t v) {
       result[v].fill(0);
       for (int corner = 0; corner < 8; ++corner) {
         const auto& node = nodes[corners_[v][corner]];
         const double weight = weight_of(v, corner);
         for (std::size_t c = 0; c < columns; ++c) result[v][c] += weight * node[c];
       }
-    }
+    });
     return result;
   }
 
  private:
+  static constexpr std::size_t check_interval = 65536;  ///< places, a few milliseconds' work
+
   double weight_of(std::size_t v, int corner) const
   {
     const std::array<float, 3>& f = fractions_[v];
