@@ -42,8 +42,9 @@ void print_row(const char* settings, const Parameters& parameters, double millio
   const Result result = compute_curvature(mesh, parameters);
   const double cpu = cpu_seconds() - cpu_start, wall = wall_seconds() - wall_start;
   const double n = double(mesh.positions.size());
-  std::printf("| %s | %.2f | %.1f | %.1f | %.1f | %.2f | %.2f | %s |\n", settings, n / 1e6, wall, 1e6 * wall / n, 1e6 * cpu / n,
-              memory_bytes("VmHWM:") / 1e9, (memory_bytes("VmHWM:") - before) / n / 1e3, all_finite(result) ? "yes" : "NO");
+  std::printf("| %s | %.2f | %.1f | %.1f | %.1f | %.2f | %.2f | %s |\n", settings, n / 1e6, wall, 1e6 * wall / n,
+              1e6 * cpu / n, memory_bytes("VmHWM:") / 1e9, (memory_bytes("VmHWM:") - before) / n / 1e3,
+              all_finite(result) ? "yes" : "NO");
   std::fflush(stdout);
   if (!all_finite(result)) std::exit(1);
 }
@@ -62,8 +63,10 @@ int main(int argc, char** argv)
     Parameters parameters;
   } settings[] = {{"published method", published}, {"default", Parameters{}}};
 
-  std::printf("| settings | million vertices | wall s | wall us/vertex | CPU us/vertex | peak GB in all | GB per million vertices "
-              "beyond the mesh | finite |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| settings | million vertices | wall s | wall us/vertex | CPU us/vertex | peak GB in all | GB per million "
+      "vertices "
+      "beyond the mesh | finite |\n|---|---|---|---|---|---|---|---|\n");
   std::fflush(stdout);
   bool failed = false;
   for (const auto& setting : settings)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error of the voxel engine's curvature against its grid step: per shape and cells per radius the difference of κ·r to
-// that on a fine grid of the same mesh (which leaves the error of the grid alone). Prints the table of docs/fft_engine.md.
+// that on a fine grid of the same mesh (which leaves the error of the grid alone). Prints the table of
+// docs/fft_engine.md.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -53,8 +54,8 @@ void measure(const std::string& name, const TriangleMesh& mesh, double radius)
       largest = std::max(largest, error);
     }
     const double rms = std::sqrt(sum / double(measured.values.size()));
-    std::printf("| %-14s | %4.0f | %4.0f | %9.2e | %9.2e | %5.2f | %6.2f |\n", name.c_str(), radius, cells, rms, largest,
-                before > 0 ? std::log(before / rms) / std::log(cells / cells_before) : 0.0, measured.seconds);
+    std::printf("| %-14s | %4.0f | %4.0f | %9.2e | %9.2e | %5.2f | %6.2f |\n", name.c_str(), radius, cells, rms,
+                largest, before > 0 ? std::log(before / rms) / std::log(cells / cells_before) : 0.0, measured.seconds);
     before = rms;
     cells_before = cells;
   }
@@ -64,7 +65,9 @@ void measure(const std::string& name, const TriangleMesh& mesh, double radius)
 
 int main()
 {
-  std::printf("| shape | r/edge | cells per radius | rms error of kr | largest | order | seconds |\n|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| shape | r/edge | cells per radius | rms error of kr | largest | order | seconds "
+      "|\n|---|---|---|---|---|---|---|\n");
   measure("sphere", icosphere(5), 8);
   measure("sphere", icosphere(5), 3);
   measure("torus", torus(1, 0.4, 160, 64), 4);

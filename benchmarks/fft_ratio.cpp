@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Time of the voxel engine against the bare transforms, at the grids of [Lai09 Table 1] with eight scales. Two counts of
-// bare transforms, same precision and threads, measured in the same run: those of the published scheme (one forward and
-// ten inverse a scale, all of the whole grid), and those that the engine really makes (eleven per tile, each scale on a
-// grid of its own). Prints a table; with --json, one JSON object a line.
+// Time of the voxel engine against the bare transforms, at the grids of [Lai09 Table 1] with eight scales. Two counts
+// of bare transforms, same precision and threads, measured in the same run: those of the published scheme (one forward
+// and ten inverse a scale, all of the whole grid), and those that the engine really makes (eleven per tile, each scale
+// on a grid of its own). Prints a table; with --json, one JSON object a line.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -57,7 +57,8 @@ TriangleMesh bumpy_shape(const Size& grid)
     p *= 1 + 0.08 * std::sin(7 * p.x) * std::sin(6 * p.y + 1) * std::sin(8 * p.z);
     reach = {std::max(reach.x, std::abs(p.x)), std::max(reach.y, std::abs(p.y)), std::max(reach.z, std::abs(p.z))};
   }
-  for (Vec3& p : mesh.positions) p = {p.x / reach.x * grid[0] / 2, p.y / reach.y * grid[1] / 2, p.z / reach.z * grid[2] / 2};
+  for (Vec3& p : mesh.positions)
+    p = {p.x / reach.x * grid[0] / 2, p.y / reach.y * grid[1] / 2, p.z / reach.z * grid[2] / 2};
   return mesh;
 }
 
@@ -89,8 +90,9 @@ int main(int argc, char** argv)
 {
   const bool json = argc > 1 && std::strcmp(argv[1], "--json") == 0;
   if (!json)
-    std::printf("| grid | engine, s | 81 transforms of the grid, s | ratio | the engine's own transforms, s | ratio |\n"
-                "|---|---|---|---|---|---|\n");
+    std::printf(
+        "| grid | engine, s | 81 transforms of the grid, s | ratio | the engine's own transforms, s | ratio |\n"
+        "|---|---|---|---|---|---|\n");
   for (const Size& grid : {Size{204, 172, 184}, Size{194, 112, 332}, Size{192, 228, 174}, Size{136, 332, 136}})
     measure(grid, json);
 }

@@ -58,7 +58,8 @@ void measure_speed(const std::string& name, const Surface& surface, const std::v
     const double wall = wall_seconds(), cpu = cpu_seconds();
     const auto engine = make_surface_engine(surface, published_method(), execution);
     best_prepare = std::min(best_prepare, wall_seconds() - wall);
-    engine->evaluate(radii, [&](std::size_t v, int, const BallMoments& m) { volume[v] += m.volume; }, execution);
+    engine->evaluate(
+        radii, [&](std::size_t v, int, const BallMoments& m) { volume[v] += m.volume; }, execution);
     best_wall = std::min(best_wall, wall_seconds() - wall);
     best_cpu = std::min(best_cpu, cpu_seconds() - cpu);
     checksum += volume[0];
@@ -73,7 +74,9 @@ void measure_speed(const std::string& name, const Surface& surface, const std::v
 
 void speed(int threads, int largest, bool far)
 {
-  std::printf("| scales | vertices | r_max | CPU us/v | wall us/v | of it prepare | wall s | bytes/v |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| scales | vertices | r_max | CPU us/v | wall us/v | of it prepare | wall s | bytes/v "
+      "|\n|---|---|---|---|---|---|---|---|\n");
   for (const int n : {135, 546, 1907}) {
     if (n > largest) break;
     const Surface surface(bumpy_torus(n));
@@ -87,22 +90,28 @@ struct Errors {
   double rms = 0, largest = 0;
 };
 
-std::vector<std::vector<double>> curvatures(const Surface& surface, const std::vector<double>& radii, Exactness exactness)
+std::vector<std::vector<double>> curvatures(const Surface& surface, const std::vector<double>& radii,
+                                            Exactness exactness)
 {
   std::vector<std::vector<double>> values(radii.size(), std::vector<double>(2 * surface.vertex_count()));
   Parameters parameters = published_method();
   parameters.exactness = exactness;
   Execution execution;
-  make_surface_engine(surface, parameters, execution)->evaluate(radii, [&](std::size_t v, int k, const BallMoments& m) {
-    const PrincipalCurvatures kappa = principal_curvatures(curvature_tensor(m, radii[std::size_t(k)]));
-    values[std::size_t(k)][2 * v] = kappa.kappa_max;
-    values[std::size_t(k)][2 * v + 1] = kappa.kappa_min;
-  }, execution);
+  make_surface_engine(surface, parameters, execution)
+      ->evaluate(
+          radii,
+          [&](std::size_t v, int k, const BallMoments& m) {
+            const PrincipalCurvatures kappa = principal_curvatures(curvature_tensor(m, radii[std::size_t(k)]));
+            values[std::size_t(k)][2 * v] = kappa.kappa_max;
+            values[std::size_t(k)][2 * v + 1] = kappa.kappa_min;
+          },
+          execution);
   return values;
 }
 
 /// A row of errors per exactness, jitter and noise (in average edges) on a torus with n vertices around.
-void accuracy(int n, const std::vector<double>& radii, const std::vector<Exactness>& kinds, const std::vector<double>& jitters)
+void accuracy(int n, const std::vector<double>& radii, const std::vector<Exactness>& kinds,
+              const std::vector<double>& jitters)
 {
   std::printf("| exactness | jitter | noise |");
   for (const double r : radii) std::printf(" %11.1f |", r);
@@ -146,7 +155,8 @@ int main(int argc, char** argv)
     accuracy();
   else if (argc > 5 && std::strcmp(argv[1], "single") == 0)
     measure_speed(argv[4], Surface(bumpy_torus(std::atoi(argv[3]))),
-                  argv[4][0] == 'l' ? linear(8, std::atof(argv[5])) : geometric(8, std::atof(argv[5])), std::atoi(argv[2]));
+                  argv[4][0] == 'l' ? linear(8, std::atof(argv[5])) : geometric(8, std::atof(argv[5])),
+                  std::atoi(argv[2]));
   else
     speed(argc > 2 ? std::atoi(argv[2]) : 2, argc > 3 ? std::atoi(argv[3]) : 2000, argc <= 4);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filters for features do, over any mesh type with MeshLab's fields and for either plugin interface: everything is
-// computed and exported before a mesh is touched.
+// What the filters for features do, over any mesh type with MeshLab's fields and for either plugin interface:
+// everything is computed and exported before a mesh is touched.
 #pragma once
 
 #include <string>
@@ -16,15 +16,18 @@ namespace integral_invariant::filter {
 /// Writes what the outcome holds to the file: the lines, or the mesh with quality, colour and attributes.
 inline std::string export_feature(const TriangleMesh& mesh, const FeatureOutcome& outcome, const std::string& file)
 {
-  if (!outcome.lines) return export_ply(mesh, PlyContents{{}, outcome.quality, outcome.colors, outcome.attributes}, file);
+  if (!outcome.lines)
+    return export_ply(mesh, PlyContents{{}, outcome.quality, outcome.colors, outcome.attributes}, file);
   const LineLayer& lines = *outcome.lines;
-  return export_ply({lines.positions, {}}, PlyContents{lines.edges, lines.quality, lines.colors, lines.attributes}, file);
+  return export_ply({lines.positions, {}}, PlyContents{lines.edges, lines.quality, lines.colors, lines.attributes},
+                    file);
 }
 
 /// Runs the filter on `mesh`, which is only read, and writes the export file, if any.
 /// \throw std::exception with a sentence for the user
 template <class MeshType>
-FeatureOutcome measure_feature(FilterId filter, const MeshType& mesh, const Request& request, const ProgressCallback& progress)
+FeatureOutcome measure_feature(FilterId filter, const MeshType& mesh, const Request& request,
+                               const ProgressCallback& progress)
 {
   const std::string& file = request.output.export_file;
   if (!file.empty()) require_writable(file);
@@ -36,8 +39,8 @@ FeatureOutcome measure_feature(FilterId filter, const MeshType& mesh, const Requ
   return outcome;
 }
 
-/// The values as named attributes of the vertices, in the host's scalar type: others are not listed by later releases. All
-/// of them, or none where memory runs out.
+/// The values as named attributes of the vertices, in the host's scalar type: others are not listed by later releases.
+/// All of them, or none where memory runs out.
 template <class MeshType>
 void write_attributes(MeshType& mesh, const std::vector<NamedValues>& attributes)
 {
@@ -46,7 +49,8 @@ void write_attributes(MeshType& mesh, const std::vector<NamedValues>& attributes
   Transaction transaction(mesh, attributes.size());
   std::vector<typename Transaction::template Handle<Scalar>> handles;
   handles.reserve(attributes.size());
-  for (const NamedValues& attribute : attributes) handles.push_back(transaction.template Attribute<Scalar>(attribute.name));
+  for (const NamedValues& attribute : attributes)
+    handles.push_back(transaction.template Attribute<Scalar>(attribute.name));
   transaction.Commit();
   vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>::ForEachVertexWithIndex(
       mesh, [&](typename MeshType::VertexType& vertex, std::size_t v) {
@@ -62,20 +66,25 @@ void write_selection(MeshType& mesh, const std::vector<std::int32_t>& region, st
   vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>::ForEachVertexWithIndex(
       mesh, [&](typename MeshType::VertexType& vertex, std::size_t v) {
         of_slot[vcg::tri::Index(mesh, vertex)] = region[v];
-        if (region[v] >= 0) vertex.SetS();
-        else vertex.ClearS();
+        if (region[v] >= 0)
+          vertex.SetS();
+        else
+          vertex.ClearS();
       });
   for (auto& face : mesh.face) {
     if (face.IsD()) continue;
     const std::int32_t first = of_slot[vcg::tri::Index(mesh, face.cV(0))];
     const bool inside = first >= 0 && of_slot[vcg::tri::Index(mesh, face.cV(1))] == first &&
                         of_slot[vcg::tri::Index(mesh, face.cV(2))] == first;
-    if (inside) face.SetS();
-    else face.ClearS();
+    if (inside)
+      face.SetS();
+    else
+      face.ClearS();
   }
 }
 
-/// Writes selection, quality, colour and attributes: all, or nothing where memory runs out. The host has enabled the fields.
+/// Writes selection, quality, colour and attributes: all, or nothing where memory runs out. The host has enabled the
+/// fields.
 template <class MeshType>
 void write_feature(MeshType& mesh, const FeatureOutcome& outcome)
 {
@@ -85,7 +94,8 @@ void write_feature(MeshType& mesh, const FeatureOutcome& outcome)
   write_attributes(mesh, outcome.attributes);  // the last that can fail
   if (!outcome.selection.empty()) write_selection(mesh, outcome.selection, std::move(of_slot));
   Update::ForEachVertexWithIndex(mesh, [&](Vertex& vertex, std::size_t v) {
-    if (!outcome.quality.empty()) vertex.Q() = Update::template Representable<typename Vertex::QualityType>(outcome.quality[v]);
+    if (!outcome.quality.empty())
+      vertex.Q() = Update::template Representable<typename Vertex::QualityType>(outcome.quality[v]);
     if (outcome.colors.empty()) return;
     const Color color = outcome.colors[v];
     vertex.C() = vcg::Color4b(color[0], color[1], color[2], 255);

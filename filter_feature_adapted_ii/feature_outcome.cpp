@@ -35,7 +35,8 @@ constexpr int curvature_share = 85;
 /// Curvatures, and the stage that works on them.
 struct Measured {
   Measured(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
-      : result(compute_curvature(mesh, request.method, first_part(progress, curvature_share))), surface(mesh),
+      : result(compute_curvature(mesh, request.method, first_part(progress, curvature_share))),
+        surface(mesh),
         execution(request.method.threads, last_part(progress, curvature_share))
   {
   }
@@ -71,7 +72,8 @@ std::vector<Value> in_order_of(const std::vector<std::uint32_t>& caller, const s
   return result;
 }
 
-FeatureOutcome ridges_and_valleys(const CanonicalMesh& canonical, const Request& request, const ProgressCallback& progress)
+FeatureOutcome ridges_and_valleys(const CanonicalMesh& canonical, const Request& request,
+                                  const ProgressCallback& progress)
 {
   const RidgeValleyParameters& p = request.ridge_valley;
   if (!p.ridges && !p.valleys) throw ParameterError("Nothing is asked for: set 'ridges' or 'valleys' to true.");
@@ -87,12 +89,17 @@ FeatureOutcome ridges_and_valleys(const CanonicalMesh& canonical, const Request&
     kind.values.push_back(float(k));
     vertices += k != FeatureKind::none;
     if (request.output.colorize)
-      outcome.colors.push_back(k == FeatureKind::ridge ? first_color : k == FeatureKind::valley ? second_color : neutral);
+      outcome.colors.push_back(k == FeatureKind::ridge    ? first_color
+                               : k == FeatureKind::valley ? second_color
+                                                          : neutral);
   }
   for (const FeatureRegion& region : found.regions) ++(region.kind == FeatureKind::ridge ? ridges : valleys);
   outcome.attributes.push_back(std::move(kind));
-  outcome.values = {{"ridges", ridges}, {"valleys", valleys}, {"selected_vertices", vertices},
-                    {"high_threshold", found.high}, {"low_threshold", found.low}};
+  outcome.values = {{"ridges", ridges},
+                    {"valleys", valleys},
+                    {"selected_vertices", vertices},
+                    {"high_threshold", found.high},
+                    {"low_threshold", found.low}};
   add_log(measured, "Ridges and valleys by curvature",
           {"Thresholds: " + short_number(found.high) + " and " + short_number(found.low) + " 1/length",
            "Found: " + std::to_string(ridges) + " ridges and " + std::to_string(valleys) + " valleys, " +
@@ -114,7 +121,9 @@ FeatureOutcome crest_lines(const TriangleMesh& mesh, const Request& request, con
   outcome.lines = crest_layer(mesh, measured.result, lines, {request.output.colorize, request.layer.lift});
   double ridge_length = 0, valley_length = 0;
   for (const CrestLine& line : lines) (line.kind == FeatureKind::ridge ? ridge_length : valley_length) += line.length;
-  outcome.values = {{"lines", int(lines.size())}, {"ridge_length", ridge_length}, {"valley_length", valley_length},
+  outcome.values = {{"lines", int(lines.size())},
+                    {"ridge_length", ridge_length},
+                    {"valley_length", valley_length},
                     {"largest_strength", lines.empty() ? 0 : lines.front().strength}};
   add_log(measured, "Crest lines",
           {"Found: " + std::to_string(lines.size()) + " lines; ridges " + short_number(ridge_length) + ", valleys " +
@@ -201,7 +210,7 @@ FeatureOutcome signature(const TriangleMesh& mesh, const Request& request, const
                         short_number(s.p5) + ", median " + short_number(s.median) + ", 95% " + short_number(s.p95));
   outcome.log.push_back(time_line(run));
   outcome.values = {{"scales", int(run.scales.size())}, {"quality_min", s.minimum}, {"quality_p5", s.p5},
-                    {"quality_median", s.median}, {"quality_p95", s.p95}, {"quality_max", s.maximum},
+                    {"quality_median", s.median},       {"quality_p95", s.p95},     {"quality_max", s.maximum},
                     {"average_edge", run.average_edge}, {"engine", run.engine}};
   return outcome;
 }
@@ -212,11 +221,16 @@ FeatureOutcome compute_feature(FilterId filter, const TriangleMesh& mesh, const 
                                const ProgressCallback& progress)
 {
   switch (filter) {
-    case FilterId::ridges_and_valleys: return ridges_and_valleys(in_canonical_order(mesh), request, progress);
-    case FilterId::crest_lines: return crest_lines(in_canonical_order(mesh).mesh, request, progress);
-    case FilterId::principal_directions: return principal_directions(in_canonical_order(mesh).mesh, request, progress);
-    case FilterId::signature: return signature(mesh, request, progress);  // no stage of it depends on the order
-    case FilterId::curvature: break;
+    case FilterId::ridges_and_valleys:
+      return ridges_and_valleys(in_canonical_order(mesh), request, progress);
+    case FilterId::crest_lines:
+      return crest_lines(in_canonical_order(mesh).mesh, request, progress);
+    case FilterId::principal_directions:
+      return principal_directions(in_canonical_order(mesh).mesh, request, progress);
+    case FilterId::signature:
+      return signature(mesh, request, progress);  // no stage of it depends on the order
+    case FilterId::curvature:
+      break;
   }
   throw ParameterError("The filter for curvatures leaves no features.");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filter does, over any mesh type with MeshLab's fields and for either plugin interface: everything is computed
-// and exported before the mesh is touched, so whatever fails leaves it as it was.
+// What the filter does, over any mesh type with MeshLab's fields and for either plugin interface: everything is
+// computed and exported before the mesh is touched, so whatever fails leaves it as it was.
 #pragma once
 
 #include <string>
@@ -52,20 +52,32 @@ void write_outcome(MeshType& mesh, const Outcome& outcome)
   });
 }
 
-/// Reads every parameter of the filter's table from a host's parameter list, through its getters, which all hosts name alike.
-/// \throw ParameterError
+/// Reads every parameter of the filter's table from a host's parameter list, through its getters, which all hosts name
+/// alike. \throw ParameterError
 template <class ParameterList>
 Request read_request(const ParameterList& list, FilterId filter = FilterId::curvature)
 {
   Request request;
   for (const ParameterSpec& spec : parameter_table(filter)) {
     switch (spec.kind) {
-      case Kind::boolean: store(spec, list.getBool(spec.name), request); break;
-      case Kind::integer: store(spec, list.getInt(spec.name), request); break;
-      case Kind::choice: store(spec, list.getEnum(spec.name), request); break;
-      case Kind::real: store(spec, as_typed(list.getFloat(spec.name)), request); break;
-      case Kind::length: store(spec, as_typed(list.getAbsPerc(spec.name)), request); break;
-      case Kind::save_file: store_text(spec, list.getSaveFileName(spec.name).toStdString(), request); break;
+      case Kind::boolean:
+        store(spec, list.getBool(spec.name), request);
+        break;
+      case Kind::integer:
+        store(spec, list.getInt(spec.name), request);
+        break;
+      case Kind::choice:
+        store(spec, list.getEnum(spec.name), request);
+        break;
+      case Kind::real:
+        store(spec, as_typed(list.getFloat(spec.name)), request);
+        break;
+      case Kind::length:
+        store(spec, as_typed(list.getAbsPerc(spec.name)), request);
+        break;
+      case Kind::save_file:
+        store_text(spec, list.getSaveFileName(spec.name).toStdString(), request);
+        break;
     }
   }
   return request;

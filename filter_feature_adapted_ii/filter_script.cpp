@@ -15,27 +15,45 @@ std::string escaped(const std::string& text)
   std::string xml;
   for (const char c : text) {
     switch (c) {
-      case '&': xml += "&amp;"; break;
-      case '<': xml += "&lt;"; break;
-      case '>': xml += "&gt;"; break;
-      case '"': xml += "&quot;"; break;
-      default: xml += c;
+      case '&':
+        xml += "&amp;";
+        break;
+      case '<':
+        xml += "&lt;";
+        break;
+      case '>':
+        xml += "&gt;";
+        break;
+      case '"':
+        xml += "&quot;";
+        break;
+      default:
+        xml += c;
     }
   }
   return xml;
 }
 
-std::string attribute(const std::string& name, const std::string& value) { return " " + name + "=\"" + escaped(value) + "\""; }
+std::string attribute(const std::string& name, const std::string& value)
+{
+  return " " + name + "=\"" + escaped(value) + "\"";
+}
 
 const char* mlx_type(Kind kind)
 {
   switch (kind) {
-    case Kind::boolean: return "RichBool";
-    case Kind::integer: return "RichInt";
-    case Kind::real: return "RichFloat";
-    case Kind::length: return "RichAbsPerc";
-    case Kind::choice: return "RichEnum";
-    case Kind::save_file: return "RichSaveFile";
+    case Kind::boolean:
+      return "RichBool";
+    case Kind::integer:
+      return "RichInt";
+    case Kind::real:
+      return "RichFloat";
+    case Kind::length:
+      return "RichAbsPerc";
+    case Kind::choice:
+      return "RichEnum";
+    case Kind::save_file:
+      return "RichSaveFile";
   }
   return "";
 }
@@ -57,7 +75,8 @@ std::string type_attributes(const ParameterSpec& spec, const Request& request)
   if (spec.kind == Kind::save_file) text = attribute("ext", "*.ply");
   if (spec.kind == Kind::choice) {
     text = attribute("enum_cardinality", std::to_string(spec.choices.size()));
-    for (std::size_t i = 0; i < spec.choices.size(); ++i) text += attribute("enum_val" + std::to_string(i), spec.choices[i]);
+    for (std::size_t i = 0; i < spec.choices.size(); ++i)
+      text += attribute("enum_val" + std::to_string(i), spec.choices[i]);
   }
   return text;
 }
@@ -91,7 +110,8 @@ void store_assignment(const std::string& assignment, Request& request, FilterId 
 
 std::string filter_script(const Request& request, FilterId filter)
 {
-  std::string xml = "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter" + attribute("name", filter_facts(filter).name) + ">\n";
+  std::string xml =
+      "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter" + attribute("name", filter_facts(filter).name) + ">\n";
   for (const ParameterSpec& spec : parameter_table(filter))
     xml += "  <Param" + attribute("type", mlx_type(spec.kind)) + attribute("name", spec.name) +
            attribute("value", value_text(spec, request)) + type_attributes(spec, request) + "/>\n";
@@ -110,7 +130,8 @@ std::string parameter_documentation(FilterId filter)
 std::string parameter_defaults(FilterId filter)
 {
   std::string text;
-  for (const ParameterSpec& spec : parameter_table(filter)) text += std::string(spec.name) + "=" + value_text(spec, Request{}) + "\n";
+  for (const ParameterSpec& spec : parameter_table(filter))
+    text += std::string(spec.name) + "=" + value_text(spec, Request{}) + "\n";
   return text;
 }
 

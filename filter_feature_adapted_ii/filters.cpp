@@ -13,7 +13,8 @@ const FilterFacts& filter_facts(FilterId filter)
       {"Select Ridges and Valleys by Curvature", "select_ridges_and_valleys_by_curvature", ridge_valley_help},
       {"Create Crest Lines Layer", "create_crest_lines_layer", crest_line_help},
       {"Create Principal Direction Layer", "create_principal_direction_layer", direction_help},
-      {"Compute Multi-Scale Integral Invariant Signature", "compute_multi_scale_integral_invariant_signature", signature_help},
+      {"Compute Multi-Scale Integral Invariant Signature", "compute_multi_scale_integral_invariant_signature",
+       signature_help},
   };
   return facts[static_cast<int>(filter)];
 }

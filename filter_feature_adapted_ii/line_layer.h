@@ -8,16 +8,16 @@
 
 namespace integral_invariant::filter {
 
-inline constexpr Color first_color{196, 34, 44};    ///< ridges, directions of maximal curvature
-inline constexpr Color second_color{32, 84, 190};   ///< valleys, directions of minimal curvature
+inline constexpr Color first_color{196, 34, 44};   ///< ridges, directions of maximal curvature
+inline constexpr Color second_color{32, 84, 190};  ///< valleys, directions of minimal curvature
 
 struct LineStyle {
   bool colorize = true;
   double lift = 0;  ///< above the surface, in average edge lengths
 };
 
-/// Vertices have the attributes ii_line (number of the line, from 0), ii_kind (1 ridge or maximal, -1 valley or minimal) and
-/// ii_strength, which is the quality too: a crest line's strength; along directions, the curvature there.
+/// Vertices have the attributes ii_line (number of the line, from 0), ii_kind (1 ridge or maximal, -1 valley or
+/// minimal) and ii_strength, which is the quality too: a crest line's strength; along directions, the curvature there.
 LineLayer crest_layer(const TriangleMesh& mesh, const Result& result, const std::vector<CrestLine>& lines,
                       const LineStyle& style);
 LineLayer curvature_line_layer(const TriangleMesh& mesh, const Result& result, const std::vector<CurvatureLine>& lines,

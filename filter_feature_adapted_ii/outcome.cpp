@@ -42,7 +42,8 @@ double total_seconds(const Result& result)
 std::string surface_line(const Result& result)
 {
   return "Mesh: " + std::to_string(result.surface.vertices) + " vertices, " + std::to_string(result.surface.triangles) +
-         " triangles, average edge " + short_number(result.average_edge) + ", diagonal " + short_number(result.diagonal);
+         " triangles, average edge " + short_number(result.average_edge) + ", diagonal " +
+         short_number(result.diagonal);
 }
 
 void add_scale_lines(const Result& result, std::vector<std::string>& lines)
@@ -90,7 +91,8 @@ void add_defect_line(const Result& result, std::vector<std::string>& lines)
   std::string text;
   for (const auto& [count, noun] : counts)
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + noun;
-  if (report.inside_out) text += std::string(text.empty() ? "" : ", ") + "inside out: taken as if all triangles were flipped";
+  if (report.inside_out)
+    text += std::string(text.empty() ? "" : ", ") + "inside out: taken as if all triangles were flipped";
   if (!text.empty()) lines.push_back("Note: " + text);
 }
 

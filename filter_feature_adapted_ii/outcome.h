@@ -26,7 +26,7 @@ struct Outcome {
   Statistics quality_statistics;
   bool colorize = true;
   ColorRange colors;
-  std::string exported;         ///< the file that was written; empty: none
+  std::string exported;  ///< the file that was written; empty: none
 
   Color color(std::size_t vertex) const { return color_of(quality[vertex], colors, quantity); }
 };
@@ -36,12 +36,13 @@ Outcome make_outcome(Result result, const OutputOptions& options);
 /// The log: vertices, scales, engine, convergence, quality, defects of the mesh, seconds; one line an entry.
 std::vector<std::string> summary_lines(const Outcome& outcome);
 
-/// The same for programs, as (name, number or text): vertices, triangles, scales, median_radius, converged, low_confidence,
-/// seconds, ..., and for each quantity <key>_min, _p5, _median, _p95, _max.
+/// The same for programs, as (name, number or text): vertices, triangles, scales, median_radius, converged,
+/// low_confidence, seconds, ..., and for each quantity <key>_min, _p5, _median, _p95, _max.
 using SummaryValue = std::variant<int, double, std::string>;
 std::vector<std::pair<std::string, SummaryValue>> summary_values(const Outcome& outcome);
 
-/// The part of the log that says what was measured and how: mesh, scales, engine, convergence, defects; and the last line.
+/// The part of the log that says what was measured and how: mesh, scales, engine, convergence, defects; and the last
+/// line.
 std::vector<std::string> run_lines(const Result& result);
 std::string time_line(const Result& result);
 

@@ -16,13 +16,20 @@ inline constexpr double largest_int = std::numeric_limits<int>::max();
 template <class Part>
 auto& part_of(Request& request)
 {
-  if constexpr (std::is_same_v<Part, Parameters>) return request.method;
-  else if constexpr (std::is_same_v<Part, OutputOptions>) return request.output;
-  else if constexpr (std::is_same_v<Part, RidgeValleyParameters>) return request.ridge_valley;
-  else if constexpr (std::is_same_v<Part, CrestLineParameters>) return request.crest;
-  else if constexpr (std::is_same_v<Part, DirectionParameters>) return request.direction;
-  else if constexpr (std::is_same_v<Part, LayerOptions>) return request.layer;
-  else return request.signature;
+  if constexpr (std::is_same_v<Part, Parameters>)
+    return request.method;
+  else if constexpr (std::is_same_v<Part, OutputOptions>)
+    return request.output;
+  else if constexpr (std::is_same_v<Part, RidgeValleyParameters>)
+    return request.ridge_valley;
+  else if constexpr (std::is_same_v<Part, CrestLineParameters>)
+    return request.crest;
+  else if constexpr (std::is_same_v<Part, DirectionParameters>)
+    return request.direction;
+  else if constexpr (std::is_same_v<Part, LayerOptions>)
+    return request.layer;
+  else
+    return request.signature;
 }
 
 /// How a member of a part of the request is read and written as a number.
@@ -50,8 +57,19 @@ template <auto Member>
 ParameterSpec row(const char* name, Kind kind, const char* unit, Range range, std::vector<const char*> choices,
                   const Words& words)
 {
-  return {name, kind, unit, range.minimum, range.maximum, range.above_minimum,
-          std::move(choices), words.label, words.tip, words.source, &Field<Member>::get, &Field<Member>::set, false};
+  return {name,
+          kind,
+          unit,
+          range.minimum,
+          range.maximum,
+          range.above_minimum,
+          std::move(choices),
+          words.label,
+          words.tip,
+          words.source,
+          &Field<Member>::get,
+          &Field<Member>::set,
+          false};
 }
 
 template <auto Member>

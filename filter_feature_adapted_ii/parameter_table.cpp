@@ -30,7 +30,8 @@ bool is_permitted(const ParameterSpec& spec, double value)
 
 std::string lower_case(std::string text)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -83,7 +84,8 @@ std::string range_text(const ParameterSpec& spec)
   }
   const std::string noun = spec.kind == Kind::integer ? "a whole number" : "a number";
   if (spec.maximum >= largest_int) return noun + " of at least " + number_text(spec.minimum);
-  if (spec.above_minimum) return noun + " above " + number_text(spec.minimum) + " and at most " + number_text(spec.maximum);
+  if (spec.above_minimum)
+    return noun + " above " + number_text(spec.minimum) + " and at most " + number_text(spec.maximum);
   return noun + " from " + number_text(spec.minimum) + " to " + number_text(spec.maximum);
 }
 
@@ -96,7 +98,8 @@ void store(const ParameterSpec& spec, double value, Request& request)
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request)
 {
   const bool is_ply = text.size() > 4 && lower_case(text.substr(text.size() - 4)) == ".ply";
-  const bool has_control = std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  const bool has_control =
+      std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   if (!is_utf8(text) || has_control) refuse(spec, "not UTF-8 without control characters");
   if (!text.empty() && !is_ply) refuse(spec, "'" + text + "'");
   request.output.export_file = text;

@@ -21,18 +21,21 @@ class ExportVertex;
 class ExportEdge;
 class ExportFace;
 struct ExportTypes : vcg::UsedTypes<vcg::Use<ExportVertex>::AsVertexType, vcg::Use<ExportEdge>::AsEdgeType,
-                                     vcg::Use<ExportFace>::AsFaceType> {};
+                                    vcg::Use<ExportFace>::AsFaceType> {};
 
 template <class Base>
-class Coordinates : public vcg::vertex::Coord<vcg::Point3<Scalar>, Base> {};
+class Coordinates : public vcg::vertex::Coord<vcg::Point3<Scalar>, Base> {
+};
 template <class Base>
-class QualityOf : public vcg::vertex::Quality<Scalar, Base> {};
+class QualityOf : public vcg::vertex::Quality<Scalar, Base> {
+};
 
 class ExportVertex
     : public vcg::Vertex<ExportTypes, Coordinates, vcg::vertex::BitFlags, QualityOf, vcg::vertex::Color4b> {};
 class ExportEdge : public vcg::Edge<ExportTypes, vcg::edge::VertexRef, vcg::edge::BitFlags> {};
 class ExportFace : public vcg::Face<ExportTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
-class ExportMesh : public vcg::tri::TriMesh<std::vector<ExportVertex>, std::vector<ExportEdge>, std::vector<ExportFace>> {};
+class ExportMesh
+    : public vcg::tri::TriMesh<std::vector<ExportVertex>, std::vector<ExportEdge>, std::vector<ExportFace>> {};
 
 using Allocator = vcg::tri::Allocator<ExportMesh>;
 
@@ -144,8 +147,8 @@ std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, co
   copy_mesh(mesh, contents, copy);
   vcg::tri::io::PlyInfo info;
   for (const NamedValues& values : contents.properties) add_property(copy, info, values);
-  info.mask = (contents.quality.empty() ? 0 : Mask::IOM_VERTQUALITY) | (contents.colors.empty() ? 0 : Mask::IOM_VERTCOLOR) |
-              (contents.edges.empty() ? 0 : Mask::IOM_EDGEINDEX);
+  info.mask = (contents.quality.empty() ? 0 : Mask::IOM_VERTQUALITY) |
+              (contents.colors.empty() ? 0 : Mask::IOM_VERTCOLOR) | (contents.edges.empty() ? 0 : Mask::IOM_EDGEINDEX);
 
   const int failed = vcg::tri::io::ExporterPLY<ExportMesh>::Save(copy, temporary.c_str(), true, info);
   std::error_code error;

@@ -21,13 +21,13 @@ struct PlyContents {
   std::vector<NamedValues> properties;
 };
 
-/// Binary PLY of the mesh (which may have no triangles) with those contents. Written under a temporary name and renamed, so
-/// that a failure leaves an older file as it was.
-/// \return the absolute path. \throw InputError where it cannot be written
+/// Binary PLY of the mesh (which may have no triangles) with those contents. Written under a temporary name and
+/// renamed, so that a failure leaves an older file as it was. \return the absolute path. \throw InputError where it
+/// cannot be written
 std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, const std::string& path);
 
-/// The same of a run: x y z, red green blue alpha (where the outcome is coloured), quality, ii_kmax, ii_kmin, ii_radius,
-/// ii_confidence, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are.
+/// The same of a run: x y z, red green blue alpha (where the outcome is coloured), quality, ii_kmax, ii_kmin,
+/// ii_radius, ii_confidence, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are.
 std::string export_ply(const TriangleMesh& mesh, const Outcome& outcome, const std::string& path);
 
 /// \throw InputError unless a file can be made in the folder of `path`: tells the user before the long computation

@@ -32,14 +32,22 @@ const QuantityFacts& facts_of(Quantity quantity) { return facts[static_cast<std:
 double value_of(Quantity quantity, double k_max, double k_min, double radius)
 {
   switch (quantity) {
-    case Quantity::mean: return (k_max + k_min) / 2;
-    case Quantity::gaussian: return k_max * k_min;
-    case Quantity::maximal: return k_max;
-    case Quantity::minimal: return k_min;
-    case Quantity::shape_index: return 2 / pi * std::atan2(k_max + k_min, k_max - k_min);
-    case Quantity::curvedness: return std::hypot(k_max, k_min) / std::sqrt(2.0);
-    case Quantity::radius: return radius;
-    case Quantity::largest_absolute: return std::max(std::abs(k_max), std::abs(k_min));
+    case Quantity::mean:
+      return (k_max + k_min) / 2;
+    case Quantity::gaussian:
+      return k_max * k_min;
+    case Quantity::maximal:
+      return k_max;
+    case Quantity::minimal:
+      return k_min;
+    case Quantity::shape_index:
+      return 2 / pi * std::atan2(k_max + k_min, k_max - k_min);
+    case Quantity::curvedness:
+      return std::hypot(k_max, k_min) / std::sqrt(2.0);
+    case Quantity::radius:
+      return radius;
+    case Quantity::largest_absolute:
+      return std::max(std::abs(k_max), std::abs(k_min));
   }
   return 0;
 }
@@ -68,8 +76,10 @@ Color interpolated(const std::array<Color, N>& stops, double t)
 }
 
 // Lightness rises evenly along the second map and is symmetric in the first, so both can be read in grey.
-constexpr std::array<Color, 5> diverging{{{33, 62, 154}, {108, 151, 222}, {245, 245, 245}, {226, 125, 96}, {160, 18, 36}}};
-constexpr std::array<Color, 5> sequential{{{62, 20, 92}, {52, 83, 148}, {28, 138, 134}, {102, 192, 82}, {250, 228, 60}}};
+constexpr std::array<Color, 5> diverging{
+    {{33, 62, 154}, {108, 151, 222}, {245, 245, 245}, {226, 125, 96}, {160, 18, 36}}};
+constexpr std::array<Color, 5> sequential{
+    {{62, 20, 92}, {52, 83, 148}, {28, 138, 134}, {102, 192, 82}, {250, 228, 60}}};
 
 }  // namespace
 

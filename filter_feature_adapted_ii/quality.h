@@ -11,8 +11,8 @@
 
 namespace integral_invariant::filter {
 
-/// The quantity of every vertex, in the order of the result. Units: 1/L for mean, maximal, minimal, curvedness and largest
-/// absolute, 1/L² for Gaussian, none for the shape index, L for the radius.
+/// The quantity of every vertex, in the order of the result. Units: 1/L for mean, maximal, minimal, curvedness and
+/// largest absolute, 1/L² for Gaussian, none for the shape index, L for the radius.
 std::vector<double> quantity_values(const Result& result, Quantity quantity);
 
 /// Whether the sign of the quantity means something, so that its colours are symmetric about zero.

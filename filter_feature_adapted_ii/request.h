@@ -39,7 +39,7 @@ enum class DirectionStyle { traced = 0, segments = 1 };
 /// How lines become a layer.
 struct LayerOptions {
   DirectionStyle style = DirectionStyle::traced;
-  double lift = 0.05;             ///< of the lines over the surface, in average edge lengths
+  double lift = 0.05;  ///< of the lines over the surface, in average edge lengths
 };
 
 /// Everything that the filters can be asked; each reads the parts that its rows of the table write.

@@ -31,17 +31,28 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments)
       if (i + 1 == arguments.size()) refuse("The option " + option + " needs a value.");
       return arguments[++i];
     };
-    if (option == "-i" || option == "--input") line.inputs.push_back(value());
-    else if (option == "-s" || option == "--script") line.scripts.push_back(value());
-    else if (option == "-o" || option == "--output") line.output = value();
-    else if (option == "--plugin") line.plugins.push_back(value());
-    else if (option == "--plugin-folder") line.plugin_folder = value();
-    else if (option == "--ascii") line.ascii = true;
-    else if (option == "-q" || option == "--quiet") line.quiet = true;
-    else if (option == "--list-filters") line.list_filters = true;
-    else if (option == "-h" || option == "--help") line.help = true;
-    else if (option == "--version") line.version = true;
-    else refuse("There is no option " + option + ".");
+    if (option == "-i" || option == "--input")
+      line.inputs.push_back(value());
+    else if (option == "-s" || option == "--script")
+      line.scripts.push_back(value());
+    else if (option == "-o" || option == "--output")
+      line.output = value();
+    else if (option == "--plugin")
+      line.plugins.push_back(value());
+    else if (option == "--plugin-folder")
+      line.plugin_folder = value();
+    else if (option == "--ascii")
+      line.ascii = true;
+    else if (option == "-q" || option == "--quiet")
+      line.quiet = true;
+    else if (option == "--list-filters")
+      line.list_filters = true;
+    else if (option == "-h" || option == "--help")
+      line.help = true;
+    else if (option == "--version")
+      line.version = true;
+    else
+      refuse("There is no option " + option + ".");
   }
   check(line);
   return line;

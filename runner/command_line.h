@@ -11,7 +11,7 @@ struct CommandLine {
   std::string plugin_folder;         ///< of MeshLab's own; empty: beside its library
   std::vector<std::string> inputs;
   std::vector<std::string> scripts;
-  std::string output;                ///< empty: nothing is saved
+  std::string output;  ///< empty: nothing is saved
   bool ascii = false;
   bool quiet = false;
   bool list_filters = false;

@@ -109,15 +109,15 @@ int saved_fields(const MeshModel& mesh, int capability, int format_defaults)
       {MeshModel::MM_WEDGTEXCOORD, Mask::IOM_WEDGTEXCOORD}, {MeshModel::MM_FACECOLOR, Mask::IOM_FACECOLOR},
       {MeshModel::MM_FACEQUALITY, Mask::IOM_FACEQUALITY}};
   int mask = format_defaults & ~Mask::IOM_CAMERA;  // the camera is nobody's: there is no window
-  for (const auto& [in_mesh, in_file] : fields)
-    mask = mesh.hasDataMask(in_mesh) ? mask | in_file : mask & ~in_file;
+  for (const auto& [in_mesh, in_file] : fields) mask = mesh.hasDataMask(in_mesh) ? mask | in_file : mask & ~in_file;
   if (mesh.cm.en > 0) mask |= Mask::IOM_EDGEINDEX;
   if (mesh.cm.fn == 0) mask &= ~Mask::IOM_BITPOLYGONAL;  // the copy with polygons that is then saved has no edges
   return mask & capability;
 }
 
 /// All named attributes; MeshLab offers each as a switch whose name starts like this, and has them off.
-RichParameterList save_parameters(const IOPlugin& format_plugin, const QString& format, const MeshModel& mesh, bool ascii)
+RichParameterList save_parameters(const IOPlugin& format_plugin, const QString& format, const MeshModel& mesh,
+                                  bool ascii)
 {
   RichParameterList parameters = format_plugin.initSaveParameter(format, mesh);
   for (RichParameter& parameter : parameters) {
@@ -154,8 +154,8 @@ void Session::load_own_plugins(const std::string& folder)
 {
   const QDir plugins(folder.empty() ? folder_beside_library() : QString::fromStdString(folder));
   if (!plugins.exists())
-    throw Failure(ExitStatus::plugin_not_loaded,
-                  "there is no folder " + plugins.path().toStdString() + " with MeshLab's plugins; name it by --plugin-folder.");
+    throw Failure(ExitStatus::plugin_not_loaded, "there is no folder " + plugins.path().toStdString() +
+                                                     " with MeshLab's plugins; name it by --plugin-folder.");
   try {
     plugin_manager().loadPlugins(plugins);
   } catch (const MLException& error) {
@@ -184,7 +184,8 @@ void Session::load_mesh(const std::string& file)
 {
   if (!fs::is_regular_file(file)) throw Failure(ExitStatus::mesh_not_read, "there is no mesh file " + file + ".");
   try {
-    meshlab::loadMeshWithStandardParameters(QString::fromStdString(fs::absolute(file).string()), state_->document, &show_progress);
+    meshlab::loadMeshWithStandardParameters(QString::fromStdString(fs::absolute(file).string()), state_->document,
+                                            &show_progress);
   } catch (const std::exception& error) {
     throw Failure(ExitStatus::mesh_not_read, "cannot read the mesh " + file + ": " + in_one_line(error.what()));
   }
@@ -216,7 +217,8 @@ void Session::save_current_mesh(const std::string& file, bool ascii)
   IOPlugin* plugin = plugin_manager().outputMeshPlugin(format);
   MeshModel* mesh = state_->document.mm();
   if (!plugin)
-    throw Failure(ExitStatus::output_not_written, "MeshLab cannot write a mesh in the format that " + file + " ends in.");
+    throw Failure(ExitStatus::output_not_written,
+                  "MeshLab cannot write a mesh in the format that " + file + " ends in.");
   if (!mesh) throw Failure(ExitStatus::output_not_written, "the filters left no mesh to save.");
   int capability = 0, defaults = 0;
   plugin->exportMaskCapability(format, capability, defaults);
@@ -224,7 +226,8 @@ void Session::save_current_mesh(const std::string& file, bool ascii)
   if (defaults & Mask::IOM_BITPOLYGONAL) mesh->updateDataMask(MeshModel::MM_FACEFACETOPO);  // what tells polygons apart
   try {
     plugin->save(format, QString::fromStdString(fs::absolute(file).string()), *mesh,
-                 saved_fields(*mesh, capability, defaults), save_parameters(*plugin, format, *mesh, ascii), &show_progress);
+                 saved_fields(*mesh, capability, defaults), save_parameters(*plugin, format, *mesh, ascii),
+                 &show_progress);
   } catch (const std::exception& error) {
     throw Failure(ExitStatus::output_not_written, "cannot write " + file + ": " + in_one_line(error.what()));
   }

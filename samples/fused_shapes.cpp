@@ -7,9 +7,9 @@
 namespace samples {
 namespace {
 
-constexpr double knob_height = 0.16;    // of the sphere's radius
-constexpr double knob_sharpness = 22;   // inverse square of the knob's angular width
-constexpr double fillet = 0.35;         // width of the join, in radii of the smaller shape
+constexpr double knob_height = 0.16;   // of the sphere's radius
+constexpr double knob_sharpness = 22;  // inverse square of the knob's angular width
+constexpr double fillet = 0.35;        // width of the join, in radii of the smaller shape
 constexpr double furthest = (1 + knob_height) * 1.01;
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -60,7 +60,9 @@ KnobbySphere copy_on(const KnobbySphere& base, const Point& direction, double sc
   const double length = std::sqrt(dot(direction, direction));
   const double distance = (base.radius + 0.85 * radius) / length;
   return {{base.centre[0] + distance * direction[0], base.centre[1] + distance * direction[1],
-           base.centre[2] + distance * direction[2]}, radius, tilt};
+           base.centre[2] + distance * direction[2]},
+          radius,
+          tilt};
 }
 
 }  // namespace

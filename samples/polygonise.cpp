@@ -16,9 +16,11 @@ namespace {
 class Vertex;
 class Edge;
 class Face;
-struct Types : vcg::UsedTypes<vcg::Use<Vertex>::AsVertexType, vcg::Use<Edge>::AsEdgeType, vcg::Use<Face>::AsFaceType> {};
-class Vertex : public vcg::Vertex<Types, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::VFAdj, vcg::vertex::Qualityf,
-                                  vcg::vertex::Color4b, vcg::vertex::BitFlags, vcg::vertex::Mark> {};
+struct Types : vcg::UsedTypes<vcg::Use<Vertex>::AsVertexType, vcg::Use<Edge>::AsEdgeType, vcg::Use<Face>::AsFaceType> {
+};
+class Vertex
+    : public vcg::Vertex<Types, vcg::vertex::Coord3f, vcg::vertex::Normal3f, vcg::vertex::VFAdj, vcg::vertex::Qualityf,
+                         vcg::vertex::Color4b, vcg::vertex::BitFlags, vcg::vertex::Mark> {};
 class Edge : public vcg::Edge<Types> {};
 class Face : public vcg::Face<Types, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::FFAdj, vcg::face::VFAdj,
                               vcg::face::Qualityf, vcg::face::BitFlags, vcg::face::Mark> {};
@@ -63,10 +65,10 @@ void make_triangles_even(const FusedShapes& solid, double edge, Mesh& mesh)
   constexpr int rounds = 6;
   vcg::tri::IsotropicRemeshing<Mesh>::Params params;
   params.SetTargetLen(float(edge));
-  params.SetFeatureAngleDeg(180);  // the solid is smooth: what looks like a crease is the grid's
+  params.SetFeatureAngleDeg(180);    // the solid is smooth: what looks like a crease is the grid's
   params.maxSurfDist = float(edge);  // read even where it is not checked
   params.surfDistCheck = false;
-  params.projectFlag = false;      // the solid itself is a better guide than its first mesh
+  params.projectFlag = false;  // the solid itself is a better guide than its first mesh
   for (int round = 0; round < rounds; ++round) {
     vcg::tri::IsotropicRemeshing<Mesh>::Do(mesh, params);
     vcg::tri::Allocator<Mesh>::CompactEveryVector(mesh);

@@ -13,8 +13,8 @@ struct MeshSize {
   std::size_t vertices, triangles;
 };
 
-/// Writes the surface of `solid` as a binary PLY: closed, oriented outward, triangles near equilateral with edges of about
-/// `edge`. \throw std::runtime_error where the mesh did not come out so, or the file cannot be written
+/// Writes the surface of `solid` as a binary PLY: closed, oriented outward, triangles near equilateral with edges of
+/// about `edge`. \throw std::runtime_error where the mesh did not come out so, or the file cannot be written
 MeshSize polygonise(const FusedShapes& solid, double edge, const std::string& ply_file);
 
 }  // namespace samples

@@ -14,8 +14,10 @@ constexpr double min_edge = 0.004, max_edge = 0.1;
 
 constexpr const char* usage =
     "Usage: sample_mesh OUT.ply [EDGE]\n\n"
-    "Writes a closed surface with features of clearly different size: a unit sphere with round knobs, fused with copies of\n"
-    "itself at the scales 1 : 3 and 1 : 8. EDGE is the edge length, 0.004 to 0.1 (default 0.018). The same EDGE gives the\n"
+    "Writes a closed surface with features of clearly different size: a unit sphere with round knobs, fused with "
+    "copies of\n"
+    "itself at the scales 1 : 3 and 1 : 8. EDGE is the edge length, 0.004 to 0.1 (default 0.018). The same EDGE gives "
+    "the\n"
     "same mesh.\n";
 
 }  // namespace
@@ -32,7 +34,8 @@ int main(int argc, char** argv)
     char* end = nullptr;
     edge = std::strtod(argv[2], &end);
     if (*end != '\0' || !(edge >= min_edge && edge <= max_edge)) {
-      std::fprintf(stderr, "sample_mesh: EDGE must be a number from %g to %g, not \"%s\".\n", min_edge, max_edge, argv[2]);
+      std::fprintf(stderr, "sample_mesh: EDGE must be a number from %g to %g, not \"%s\".\n", min_edge, max_edge,
+                   argv[2]);
       return 2;
     }
   }

@@ -21,8 +21,8 @@ Estimate ordered(double first, double second, const Vec3& first_direction, const
 struct Metrics {
   std::size_t vertices = 0;
   double mean = 0, rms = 0, median = 0, p95 = 0, p99 = 0;
-  double direction = 0;                ///< degrees, mean weighted by κ_max − κ_min; 0 where that is 0 everywhere
-  double within_tenth = 0;             ///< share of κ better than 10 %
+  double direction = 0;                   ///< degrees, mean weighted by κ_max − κ_min; 0 where that is 0 everywhere
+  double within_tenth = 0;                ///< share of κ better than 10 %
   double within_one = 0, within_two = 0;  ///< share of errors under one and two standard errors
 };
 

@@ -39,11 +39,12 @@ void measure_truth(TruthMesh& truth, const Implicit& f, double h)
 {
   for (const Vec3& p : truth.mesh.positions) {
     const Vec3 x = axes[0] * h, y = axes[1] * h, z = axes[2] * h;
-    const Vec3 gradient = Vec3{along(f, p, x, first_weights), along(f, p, y, first_weights),
-                               along(f, p, z, first_weights)} * (1 / h);
-    const Symmetric3 hessian = Symmetric3{along(f, p, x, second_weights), mixed(f, p, x, y), mixed(f, p, x, z),
-                                          along(f, p, y, second_weights), mixed(f, p, y, z),
-                                          along(f, p, z, second_weights)} * (1 / (h * h));
+    const Vec3 gradient =
+        Vec3{along(f, p, x, first_weights), along(f, p, y, first_weights), along(f, p, z, first_weights)} * (1 / h);
+    const Symmetric3 hessian =
+        Symmetric3{along(f, p, x, second_weights), mixed(f, p, x, y), mixed(f, p, x, z),
+                   along(f, p, y, second_weights), mixed(f, p, y, z), along(f, p, z, second_weights)} *
+        (1 / (h * h));
     const CurvatureTensor tensor{hessian * (1 / norm(gradient)), normalized(gradient), 1};
     const PrincipalCurvatures principal = principal_curvatures(tensor);
     truth.normal.push_back(tensor.normal);

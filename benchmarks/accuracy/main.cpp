@@ -53,8 +53,9 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 
 void print_header()
 {
-  std::puts("shape,meshing,sigma,method,radius,vertices,mean,rms,median,p95,p99,direction,within_tenth,within_one,"
-            "within_two,noise,seconds");
+  std::puts(
+      "shape,meshing,sigma,method,radius,vertices,mean,rms,median,p95,p99,direction,within_tenth,within_one,"
+      "within_two,noise,seconds");
 }
 
 void print(const Cell& cell, const std::string& method, double radius, const Metrics& m, double noise, double seconds)
@@ -154,8 +155,7 @@ try {
     if (options.mode == "peers") run_peers(cell, truth);
     if (options.mode == "ours") run_ours(cell, truth);
     if (options.mode == "cost") run_cost(cell, truth);
-    if (options.mode == "oracle")
-      print_oracle(cell, truth, with_noise(truth, cell.sigma, cell.seed()));
+    if (options.mode == "oracle") print_oracle(cell, truth, with_noise(truth, cell.sigma, cell.seed()));
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

@@ -66,11 +66,15 @@ Candidates make_candidates(const TruthMesh& truth, const TriangleMesh& noisy)
   const std::vector<double> radii = scale_radii(p, surface.unit());
   TensorField tensors(n, radii);
   std::vector<float> offsets(n * radii.size());
-  make_moment_engine(surface, p, execution)->evaluate(radii, [&](std::size_t v, int i, const BallMoments& moments) {
-    const OffsetFreeMeasure m = offset_free_measure(moments, radii[std::size_t(i)]);
-    tensors.set(v, i, m.tensor);
-    offsets[v * radii.size() + std::size_t(i)] = float(m.offset);
-  }, execution);
+  make_moment_engine(surface, p, execution)
+      ->evaluate(
+          radii,
+          [&](std::size_t v, int i, const BallMoments& moments) {
+            const OffsetFreeMeasure m = offset_free_measure(moments, radii[std::size_t(i)]);
+            tensors.set(v, i, m.tensor);
+            offsets[v * radii.size() + std::size_t(i)] = float(m.offset);
+          },
+          execution);
   const std::vector<VertexFit> fits = fit_vertices(surface, tensors, execution);
   const Noise noise = estimate_noise(surface, tensors, offsets, fits, 0, execution);
 
@@ -108,8 +112,7 @@ Components best_scale(const Candidates& all, std::uint32_t v, const std::vector<
     for (int s = 0; s <= steps; ++s) {
       const double t = double(s) / steps;
       double sum = 0;
-      for (const std::uint32_t u : near)
-        sum += kappa_error(between(all.at(u, c), all.at(u, c + 1), t), all.truth[u]);
+      for (const std::uint32_t u : near) sum += kappa_error(between(all.at(u, c), all.at(u, c + 1), t), all.truth[u]);
       if (sum >= least) continue;
       least = sum;
       best = between(all.at(v, c), all.at(v, c + 1), t);

@@ -94,7 +94,8 @@ TruthMesh capsule()
   TruthMesh sides[2];
   for (const bool capped : {false, true}) {
     sides[capped].mesh = truth.mesh;
-    measure_truth(sides[capped], [&](const Vec3& p) { return surface(p, capped); }, 1e-3);
+    measure_truth(
+        sides[capped], [&](const Vec3& p) { return surface(p, capped); }, 1e-3);
   }
   truth = sides[0];
   for (std::size_t v = 0; v < truth.mesh.positions.size(); ++v)
@@ -121,8 +122,10 @@ TruthMesh patch(const std::function<double(double, double)>& height)
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
       const int a = j * (columns + 1) + i, b = a + 1, c = a + columns + 1, d = c + 1;
-      if (j % 2) truth.mesh.triangles.insert(truth.mesh.triangles.end(), {{a, d, c}, {a, b, d}});
-      else truth.mesh.triangles.insert(truth.mesh.triangles.end(), {{a, b, c}, {b, d, c}});
+      if (j % 2)
+        truth.mesh.triangles.insert(truth.mesh.triangles.end(), {{a, d, c}, {a, b, d}});
+      else
+        truth.mesh.triangles.insert(truth.mesh.triangles.end(), {{a, b, c}, {b, d, c}});
     }
   measure_truth(truth, [&](const Vec3& p) { return p.z - height(p.x, p.y); });
   return truth;

@@ -101,10 +101,14 @@ std::vector<Vec3> with_twins(std::vector<Vec3> points, double distance)
 std::string name_of(Meshing meshing)
 {
   switch (meshing) {
-    case Meshing::irregular: return "irregular";
-    case Meshing::graded: return "graded";
-    case Meshing::slivers: return "slivers";
-    default: return "regular";
+    case Meshing::irregular:
+      return "irregular";
+    case Meshing::graded:
+      return "graded";
+    case Meshing::slivers:
+      return "slivers";
+    default:
+      return "regular";
   }
 }
 
@@ -112,12 +116,15 @@ TriangleMesh sphere_mesh(Meshing meshing, int vertices)
 {
   const double spacing = std::sqrt(4 * pi / vertices);
   switch (meshing) {
-    case Meshing::irregular: return hull(scattered(vertices, [&](const Vec3&) { return 0.6 * spacing; }, spacing));
+    case Meshing::irregular:
+      return hull(scattered(
+          vertices, [&](const Vec3&) { return 0.6 * spacing; }, spacing));
     case Meshing::graded: {
       const auto distance = [&](const Vec3& p) { return 0.4 * spacing * std::pow(6.0, (p.z + 1) / 2); };
       return hull(scattered(vertices, distance, 2.4 * spacing));
     }
-    default: break;
+    default:
+      break;
   }
   int levels = 0;
   while (10 * (1 << (2 * levels + 2)) + 2 < 1.5 * vertices) ++levels;

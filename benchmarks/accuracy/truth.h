@@ -19,8 +19,8 @@ struct TruthMesh {
   std::vector<Vec3> normal;                  ///< of the smooth surface, outward
   std::vector<double> kappa_max, kappa_min;  ///< 1/L, positive where the solid is convex
   std::vector<Vec3> dir_max;
-  std::vector<double> reference;             ///< 1/L: root mean square κ that errors at the vertex are relative to
-  std::vector<std::uint32_t> judged;         ///< the vertices that methods are judged at
+  std::vector<double> reference;      ///< 1/L: root mean square κ that errors at the vertex are relative to
+  std::vector<std::uint32_t> judged;  ///< the vertices that methods are judged at
 };
 
 /// Fills `reference` of vertices [begin, end) with the root mean square of their κ.

@@ -13,11 +13,11 @@ namespace peers {
 class VcgVertex;
 class VcgFace;
 struct VcgTypes : vcg::UsedTypes<vcg::Use<VcgVertex>::AsVertexType, vcg::Use<VcgFace>::AsFaceType> {};
-class VcgVertex : public vcg::Vertex<VcgTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::CurvatureDird,
-                                     vcg::vertex::VFAdj, vcg::vertex::Mark, vcg::vertex::BitFlags, vcg::vertex::Qualityd> {
-};
-class VcgFace : public vcg::Face<VcgTypes, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::FFAdj, vcg::face::VFAdj,
-                                 vcg::face::Mark, vcg::face::BitFlags> {};
+class VcgVertex
+    : public vcg::Vertex<VcgTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d, vcg::vertex::CurvatureDird,
+                         vcg::vertex::VFAdj, vcg::vertex::Mark, vcg::vertex::BitFlags, vcg::vertex::Qualityd> {};
+class VcgFace : public vcg::Face<VcgTypes, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::FFAdj,
+                                 vcg::face::VFAdj, vcg::face::Mark, vcg::face::BitFlags> {};
 class VcgMesh : public vcg::tri::TriMesh<std::vector<VcgVertex>, std::vector<VcgFace>> {};
 
 /// Fills `m` with the mesh, its adjacency, bounding box and angle-weighted unit normals.

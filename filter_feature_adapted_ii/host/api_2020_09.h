@@ -6,37 +6,37 @@
 #include <QObject>
 #include <common/interfaces.h>
 
-class FilterFeatureAdaptedIIPlugin : public QObject, public MeshFilterInterface
-{
-	Q_OBJECT
-	MESHLAB_PLUGIN_IID_EXPORTER(MESH_FILTER_INTERFACE_IID)
-	Q_INTERFACES(MeshFilterInterface)
+class FilterFeatureAdaptedIIPlugin : public QObject, public MeshFilterInterface {
+  Q_OBJECT
+  MESHLAB_PLUGIN_IID_EXPORTER(MESH_FILTER_INTERFACE_IID)
+  Q_INTERFACES(MeshFilterInterface)
 
-public:
-	/// In the order of integral_invariant::filter::FilterId.
-	enum {
-		FP_CURVATURE_INTEGRAL_INVARIANT,
-		FP_SELECT_RIDGES_VALLEYS,
-		FP_CREST_LINES_LAYER,
-		FP_PRINCIPAL_DIRECTION_LAYER,
-		FP_INTEGRAL_INVARIANT_SIGNATURE
-	};
+ public:
+  /// In the order of integral_invariant::filter::FilterId.
+  enum {
+    FP_CURVATURE_INTEGRAL_INVARIANT,
+    FP_SELECT_RIDGES_VALLEYS,
+    FP_CREST_LINES_LAYER,
+    FP_PRINCIPAL_DIRECTION_LAYER,
+    FP_INTEGRAL_INVARIANT_SIGNATURE
+  };
 
-	FilterFeatureAdaptedIIPlugin();
+  FilterFeatureAdaptedIIPlugin();
 
-	QString pluginName() const override;
-	QString filterName(FilterIDType filter) const override;
-	QString filterInfo(FilterIDType filter) const override;
-	QString filterScriptFunctionName(FilterIDType filter) override;
-	FilterClass getClass(QAction* action) override;
-	FILTER_ARITY filterArity(QAction* action) const override;
-	int getPreConditions(QAction* action) const override;
-	int postCondition(QAction* action) const override;
+  QString pluginName() const override;
+  QString filterName(FilterIDType filter) const override;
+  QString filterInfo(FilterIDType filter) const override;
+  QString filterScriptFunctionName(FilterIDType filter) override;
+  FilterClass getClass(QAction* action) override;
+  FILTER_ARITY filterArity(QAction* action) const override;
+  int getPreConditions(QAction* action) const override;
+  int postCondition(QAction* action) const override;
 
-	using MeshFilterInterface::initParameterSet;
-	/// Works without a mesh too: meshlabserver asks for the parameters before it has loaded one.
-	void initParameterSet(QAction* action, MeshDocument& document, RichParameterList& parameters) override;
-	bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* callback) override;
+  using MeshFilterInterface::initParameterSet;
+  /// Works without a mesh too: meshlabserver asks for the parameters before it has loaded one.
+  void initParameterSet(QAction* action, MeshDocument& document, RichParameterList& parameters) override;
+  bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& parameters,
+                   vcg::CallBackPos* callback) override;
 };
 
 #endif

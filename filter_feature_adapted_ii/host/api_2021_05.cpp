@@ -14,40 +14,54 @@ ii::FilterId filter_of(int type) { return static_cast<ii::FilterId>(type); }
 /// The summary as PyMeshLab's apply_filter() returns it.
 std::map<std::string, QVariant> output_map(const ii::RunReport& report)
 {
-	std::map<std::string, QVariant> map;
-	const auto to_variant = [](const auto& value) {
-		if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) return QVariant(QString::fromStdString(value));
-		else return QVariant(value);
-	};
-	for (const auto& [name, value] : report.values) map[name] = std::visit(to_variant, value);
-	return map;
+  std::map<std::string, QVariant> map;
+  const auto to_variant = [](const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+      return QVariant(QString::fromStdString(value));
+    else
+      return QVariant(value);
+  };
+  for (const auto& [name, value] : report.values) map[name] = std::visit(to_variant, value);
+  return map;
 }
 
-} // namespace
+}  // namespace
 
 FilterFeatureAdaptedIIPlugin::FilterFeatureAdaptedIIPlugin()
 {
-	typeList = {FP_CURVATURE_INTEGRAL_INVARIANT, FP_SELECT_RIDGES_VALLEYS, FP_CREST_LINES_LAYER,
-	            FP_PRINCIPAL_DIRECTION_LAYER, FP_INTEGRAL_INVARIANT_SIGNATURE};
-	for (ActionIDType type : types())
-		actionList.push_back(new QAction(filterName(type), this));
+  typeList = {FP_CURVATURE_INTEGRAL_INVARIANT, FP_SELECT_RIDGES_VALLEYS, FP_CREST_LINES_LAYER,
+              FP_PRINCIPAL_DIRECTION_LAYER, FP_INTEGRAL_INVARIANT_SIGNATURE};
+  for (ActionIDType type : types()) actionList.push_back(new QAction(filterName(type), this));
 }
 
 QString FilterFeatureAdaptedIIPlugin::pluginName() const { return ii::plugin_name; }
 QString FilterFeatureAdaptedIIPlugin::vendor() const { return ii::plugin_name; }
-QString FilterFeatureAdaptedIIPlugin::filterName(ActionIDType type) const { return ii::filter_facts(filter_of(type)).name; }
-QString FilterFeatureAdaptedIIPlugin::pythonFilterName(ActionIDType type) const { return ii::filter_facts(filter_of(type)).python_name; }
-QString FilterFeatureAdaptedIIPlugin::filterInfo(ActionIDType type) const { return ii::filter_facts(filter_of(type)).help; }
+QString FilterFeatureAdaptedIIPlugin::filterName(ActionIDType type) const
+{
+  return ii::filter_facts(filter_of(type)).name;
+}
+QString FilterFeatureAdaptedIIPlugin::pythonFilterName(ActionIDType type) const
+{
+  return ii::filter_facts(filter_of(type)).python_name;
+}
+QString FilterFeatureAdaptedIIPlugin::filterInfo(ActionIDType type) const
+{
+  return ii::filter_facts(filter_of(type)).help;
+}
 
 FilterPlugin::FilterClass FilterFeatureAdaptedIIPlugin::getClass(const QAction* action) const
 {
-	switch (ID(action)) {
-	case FP_SELECT_RIDGES_VALLEYS: return FilterClass(Selection + VertexColoring);
-	case FP_CREST_LINES_LAYER:
-	case FP_PRINCIPAL_DIRECTION_LAYER: return FilterClass(Layer + Normal);
-	case FP_INTEGRAL_INVARIANT_SIGNATURE: return FilterClass(Quality + VertexColoring);
-	default: return FilterClass(Normal + VertexColoring);
-	}
+  switch (ID(action)) {
+    case FP_SELECT_RIDGES_VALLEYS:
+      return FilterClass(Selection + VertexColoring);
+    case FP_CREST_LINES_LAYER:
+    case FP_PRINCIPAL_DIRECTION_LAYER:
+      return FilterClass(Layer + Normal);
+    case FP_INTEGRAL_INVARIANT_SIGNATURE:
+      return FilterClass(Quality + VertexColoring);
+    default:
+      return FilterClass(Normal + VertexColoring);
+  }
 }
 
 FilterPlugin::FilterArity FilterFeatureAdaptedIIPlugin::filterArity(const QAction*) const { return SINGLE_MESH; }
@@ -55,40 +69,39 @@ FilterPlugin::FilterArity FilterFeatureAdaptedIIPlugin::filterArity(const QActio
 int FilterFeatureAdaptedIIPlugin::getPreConditions(const QAction*) const { return MeshModel::MM_NONE; }
 int FilterFeatureAdaptedIIPlugin::postCondition(const QAction* action) const
 {
-	return ii::written_fields(filter_of(ID(action)));
+  return ii::written_fields(filter_of(ID(action)));
 }
-
 
 RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction* action, const MeshDocument& document)
 {
-	RichParameterList list;
-	ii::add_parameters(filter_of(ID(action)), document.mm() ? document.mm()->cm.bbox.Diag() : 0, list);
-	return list;
+  RichParameterList list;
+  ii::add_parameters(filter_of(ID(action)), document.mm() ? document.mm()->cm.bbox.Diag() : 0, list);
+  return list;
 }
 
 RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction* action, const MeshModel& mesh)
 {
-	RichParameterList list;
-	ii::add_parameters(filter_of(ID(action)), mesh.cm.bbox.Diag(), list);
-	return list;
+  RichParameterList list;
+  ii::add_parameters(filter_of(ID(action)), mesh.cm.bbox.Diag(), list);
+  return list;
 }
 
-std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(
-	const QAction* action, const RichParameterList& parameters, MeshDocument& document, unsigned int& postConditionMask,
-	vcg::CallBackPos* callback)
+std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(const QAction* action,
+                                                                          const RichParameterList& parameters,
+                                                                          MeshDocument& document,
+                                                                          unsigned int& postConditionMask,
+                                                                          vcg::CallBackPos* callback)
 {
-	try {
-		const ii::RunReport report = ii::run_filter(filter_of(ID(action)), document, parameters, ii::progress_of(callback));
-		postConditionMask = unsigned(report.written);
-		for (const std::string& line : report.log) log(line);
-		return output_map(report);
-	}
-	catch (const std::exception& error) {
-		throw MLException(ii::failure_text(error).c_str());
-	}
-	catch (...) {
-		throw MLException("An unknown error stopped the filter. The mesh is unchanged.");
-	}
+  try {
+    const ii::RunReport report = ii::run_filter(filter_of(ID(action)), document, parameters, ii::progress_of(callback));
+    postConditionMask = unsigned(report.written);
+    for (const std::string& line : report.log) log(line);
+    return output_map(report);
+  } catch (const std::exception& error) {
+    throw MLException(ii::failure_text(error).c_str());
+  } catch (...) {
+    throw MLException("An unknown error stopped the filter. The mesh is unchanged.");
+  }
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterFeatureAdaptedIIPlugin)

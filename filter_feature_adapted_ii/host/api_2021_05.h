@@ -5,41 +5,40 @@
 
 #include <common/plugins/interfaces/filter_plugin.h>
 
-class FilterFeatureAdaptedIIPlugin : public QObject, public FilterPlugin
-{
-	Q_OBJECT
-	MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
-	Q_INTERFACES(FilterPlugin)
+class FilterFeatureAdaptedIIPlugin : public QObject, public FilterPlugin {
+  Q_OBJECT
+  MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
+  Q_INTERFACES(FilterPlugin)
 
-public:
-	/// In the order of integral_invariant::filter::FilterId.
-	enum {
-		FP_CURVATURE_INTEGRAL_INVARIANT,
-		FP_SELECT_RIDGES_VALLEYS,
-		FP_CREST_LINES_LAYER,
-		FP_PRINCIPAL_DIRECTION_LAYER,
-		FP_INTEGRAL_INVARIANT_SIGNATURE
-	};
+ public:
+  /// In the order of integral_invariant::filter::FilterId.
+  enum {
+    FP_CURVATURE_INTEGRAL_INVARIANT,
+    FP_SELECT_RIDGES_VALLEYS,
+    FP_CREST_LINES_LAYER,
+    FP_PRINCIPAL_DIRECTION_LAYER,
+    FP_INTEGRAL_INVARIANT_SIGNATURE
+  };
 
-	FilterFeatureAdaptedIIPlugin();
+  FilterFeatureAdaptedIIPlugin();
 
-	QString pluginName() const override;
-	QString vendor() const override;
-	QString filterName(ActionIDType filter) const override;
-	QString pythonFilterName(ActionIDType filter) const override;
-	QString filterInfo(ActionIDType filter) const override;
-	FilterClass getClass(const QAction* action) const override;
-	FilterArity filterArity(const QAction* action) const override;
-	int getPreConditions(const QAction* action) const override;
-	int postCondition(const QAction* action) const override;
+  QString pluginName() const override;
+  QString vendor() const override;
+  QString filterName(ActionIDType filter) const override;
+  QString pythonFilterName(ActionIDType filter) const override;
+  QString filterInfo(ActionIDType filter) const override;
+  FilterClass getClass(const QAction* action) const override;
+  FilterArity filterArity(const QAction* action) const override;
+  int getPreConditions(const QAction* action) const override;
+  int postCondition(const QAction* action) const override;
 
-	using FilterPlugin::initParameterList;
-	/// Works without a mesh too.
-	RichParameterList initParameterList(const QAction* action, const MeshDocument& document) override;
-	RichParameterList initParameterList(const QAction* action, const MeshModel& mesh) override;
-	std::map<std::string, QVariant> applyFilter(
-		const QAction* action, const RichParameterList& parameters, MeshDocument& document,
-		unsigned int& postConditionMask, vcg::CallBackPos* callback) override;
+  using FilterPlugin::initParameterList;
+  /// Works without a mesh too.
+  RichParameterList initParameterList(const QAction* action, const MeshDocument& document) override;
+  RichParameterList initParameterList(const QAction* action, const MeshModel& mesh) override;
+  std::map<std::string, QVariant> applyFilter(const QAction* action, const RichParameterList& parameters,
+                                              MeshDocument& document, unsigned int& postConditionMask,
+                                              vcg::CallBackPos* callback) override;
 };
 
 #endif

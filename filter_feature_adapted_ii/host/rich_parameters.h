@@ -12,12 +12,12 @@
 namespace integral_invariant::filter {
 using RichLength = RichPercentage;
 using RichFile = RichFileSave;
-}
+}  // namespace integral_invariant::filter
 #else
 namespace integral_invariant::filter {
 using RichLength = RichAbsPerc;
 using RichFile = RichSaveFile;
-}
+}  // namespace integral_invariant::filter
 #endif
 
 namespace integral_invariant::filter {
@@ -34,7 +34,8 @@ inline QString tooltip(const ParameterSpec& spec)
 {
   QString text = spec.tip;
   if (spec.kind == Kind::integer || spec.kind == Kind::real)
-    text += QString(" Permitted: ") + range_text(spec).c_str() + (*spec.unit ? QString(" ") + spec.unit : QString()) + ".";
+    text +=
+        QString(" Permitted: ") + range_text(spec).c_str() + (*spec.unit ? QString(" ") + spec.unit : QString()) + ".";
   if (*spec.source) text += QString(" ") + spec.source + ".";
   return text;
 }
@@ -56,11 +57,21 @@ inline void add_parameter(const ParameterSpec& spec, double diagonal, RichParame
   const double value = default_value(spec);
   const QString name = spec.name, label = spec.label, tip = tooltip(spec);
   switch (spec.kind) {
-    case Kind::boolean: add_rich<RichBool>(list, spec, name, value != 0, label, tip); break;
-    case Kind::integer: add_rich<RichInt>(list, spec, name, int(value), label, tip); break;
-    case Kind::real: add_rich<RichFloat>(list, spec, name, Scalarm(value), label, tip); break;
-    case Kind::length: add_rich<RichLength>(list, spec, name, Scalarm(value), Scalarm(0), Scalarm(diagonal), label, tip); break;
-    case Kind::save_file: add_rich<RichFile>(list, spec, name, "", "*.ply", label, tip); break;
+    case Kind::boolean:
+      add_rich<RichBool>(list, spec, name, value != 0, label, tip);
+      break;
+    case Kind::integer:
+      add_rich<RichInt>(list, spec, name, int(value), label, tip);
+      break;
+    case Kind::real:
+      add_rich<RichFloat>(list, spec, name, Scalarm(value), label, tip);
+      break;
+    case Kind::length:
+      add_rich<RichLength>(list, spec, name, Scalarm(value), Scalarm(0), Scalarm(diagonal), label, tip);
+      break;
+    case Kind::save_file:
+      add_rich<RichFile>(list, spec, name, "", "*.ply", label, tip);
+      break;
     case Kind::choice: {
       QStringList choices;
       for (const char* choice : spec.choices) choices << choice;
@@ -82,7 +93,8 @@ inline void add_parameters(FilterId filter, double diagonal, RichParameterList& 
 inline std::string failure_text(const std::exception& error)
 {
   if (dynamic_cast<const std::bad_alloc*>(&error))
-    return "There is not enough memory. Use fewer scales, fewer cells per radius, or a larger smallest radius. The mesh is unchanged.";
+    return "There is not enough memory. Use fewer scales, fewer cells per radius, or a larger smallest radius. The "
+           "mesh is unchanged.";
   return error.what();
 }
 

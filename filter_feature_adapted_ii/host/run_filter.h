@@ -22,12 +22,15 @@ struct RunReport {
 inline int written_fields(FilterId filter)
 {
   switch (filter) {
-    case FilterId::curvature: return written_fields();
+    case FilterId::curvature:
+      return written_fields();
     case FilterId::ridges_and_valleys:
       return MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT | MeshModel::MM_VERTCOLOR;
-    case FilterId::signature: return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR;
+    case FilterId::signature:
+      return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR;
     case FilterId::crest_lines:
-    case FilterId::principal_directions: break;
+    case FilterId::principal_directions:
+      break;
   }
   return MeshModel::MM_NONE;
 }
@@ -59,7 +62,8 @@ inline void add_layer(MeshDocument& document, const LineLayer& lines)
   const MeshModel& source = *document.mm();
   MeshModel* layer = document.addNewMesh(QString(), QString::fromStdString(lines.label));
   try {
-    layer->updateDataMask(MeshModel::MM_VERTQUALITY | (lines.colors.empty() ? MeshModel::MM_NONE : MeshModel::MM_VERTCOLOR));
+    layer->updateDataMask(MeshModel::MM_VERTQUALITY |
+                          (lines.colors.empty() ? MeshModel::MM_NONE : MeshModel::MM_VERTCOLOR));
     fill_with_lines(layer->cm, lines);
     layer->cm.Tr = source.cm.Tr;
   } catch (...) {
@@ -69,7 +73,8 @@ inline void add_layer(MeshDocument& document, const LineLayer& lines)
   }
 }
 
-inline RunReport run_feature(FilterId filter, MeshDocument& document, const Request& request, const ProgressCallback& progress)
+inline RunReport run_feature(FilterId filter, MeshDocument& document, const Request& request,
+                             const ProgressCallback& progress)
 {
   MeshModel& model = *document.mm();
   const FeatureOutcome outcome = measure_feature(filter, model.cm, request, progress);

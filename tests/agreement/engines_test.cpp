@@ -29,7 +29,8 @@ std::vector<BallMoments> moments_at(const Surface& surface, double radius, const
   std::vector<BallMoments> moments(surface.vertex_count());
   Execution execution;
   make_moment_engine(surface, parameters, execution)
-      ->evaluate({radius}, [&](std::size_t v, int, const BallMoments& m) { moments[v] = m; }, execution);
+      ->evaluate(
+          {radius}, [&](std::size_t v, int, const BallMoments& m) { moments[v] = m; }, execution);
   return moments;
 }
 
@@ -79,7 +80,8 @@ TEST(Engines, ConvergeToEachOtherWithTheGridStep)
       return rms_difference(moments_at(*surface, radius, with_engine(EngineKind::volume_fft, cells)), exact, radius);
     };
     const double at4 = difference(4), at8 = difference(8), at16 = difference(16);
-    RecordProperty(surface == &smooth ? "smooth" : "noisy", std::to_string(at4) + " " + std::to_string(at8) + " " + std::to_string(at16));
+    RecordProperty(surface == &smooth ? "smooth" : "noisy",
+                   std::to_string(at4) + " " + std::to_string(at8) + " " + std::to_string(at16));
     // Noise of a fifth of an edge has edges of its own: the grid's error is larger there.
     EXPECT_LT(at4, surface == &smooth ? 4e-3 : 1e-2);
     // At least second order over two halvings of the grid step.

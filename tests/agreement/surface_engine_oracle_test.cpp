@@ -33,17 +33,15 @@ const std::vector<double> radii = {0.3, 1, 2, 3.3, 5, 8};
 
 }  // namespace
 
-TEST(SurfaceEngineOracle, SmoothTorus)
-{
-  EXPECT_LT(worst_distance(torus(1, 0.4, 40, 24), radii, 197), 1e-9);
-}
+TEST(SurfaceEngineOracle, SmoothTorus) { EXPECT_LT(worst_distance(torus(1, 0.4, 40, 24), radii, 197), 1e-9); }
 
 TEST(SurfaceEngineOracle, NoisyIrregularTorus)
 {
   TriangleMesh mesh = torus(1, 0.4, 40, 24);
   const double edge = average_edge_length(mesh);
   for (const double sigma : {0.1, 0.5})
-    EXPECT_LT(worst_distance(with_normal_noise(with_tangential_jitter(mesh, 0.4 * edge), sigma * edge), radii, 197), 1e-9);
+    EXPECT_LT(worst_distance(with_normal_noise(with_tangential_jitter(mesh, 0.4 * edge), sigma * edge), radii, 197),
+              1e-9);
 }
 
 TEST(SurfaceEngineOracle, LargeTriangles)

@@ -51,7 +51,8 @@ TEST(CrestLines, OfAnExactEllipsoidAreItsLongRimOnce)
   EXPECT_TRUE(lines[0].closed);
   EXPECT_EQ(lines[0].kind, FeatureKind::ridge);
   EXPECT_NEAR(lines[0].length, rim_length(), 0.02 * rim_length());
-  EXPECT_LT(largest_distance(mesh, lines[0], [](const Vec3& p) { return std::abs(p.z); }), 0.2 * average_edge_length(mesh));
+  EXPECT_LT(largest_distance(mesh, lines[0], [](const Vec3& p) { return std::abs(p.z); }),
+            0.2 * average_edge_length(mesh));
 }
 
 TEST(CrestLines, StrengthAndSharpnessHaveTheirClosedForms)
@@ -64,7 +65,8 @@ TEST(CrestLines, StrengthAndSharpnessHaveTheirClosedForms)
   ASSERT_EQ(lines.size(), 1u);
   // Oblate spheroid: κ_max = a/c² = 4 on the equator of length 2π; sharpness of the ellipse's end 3 (1 − c²/a²).
   EXPECT_NEAR(lines[0].strength, 4 * 2 * 3.14159265, 0.5);
-  EXPECT_NEAR(lines[0].sharpness, 3 * (1 - 0.25), 0.6);  // a difference over half a radius sees less than the derivative
+  EXPECT_NEAR(lines[0].sharpness, 3 * (1 - 0.25),
+              0.6);  // a difference over half a radius sees less than the derivative
 }
 
 TEST(CrestLines, OfASphereAndATorusAreNone)
@@ -98,8 +100,10 @@ TEST(CrestLines, FindARidgeAndAValleyOfKnownRadiusWithinAnEdge)
       const double edge = average_edge_length(mesh);
       mesh = with_normal_noise(mesh, sigma * edge);
       Parameters parameters;
-      if (sigma > 0) parameters.r_min = 4 * edge;
-      else parameters.alpha = 0.5;  // small balls: little bias
+      if (sigma > 0)
+        parameters.r_min = 4 * edge;
+      else
+        parameters.alpha = 0.5;  // small balls: little bias
       const Result result = compute_curvature(mesh, parameters);
       const auto lines = crest_lines(mesh, result);
       double found = 0, curvature = 0, off = 0;

@@ -117,13 +117,15 @@ TEST(DirectionLines, OfMongesEllipsoidKeepTheirConfocalCoordinateAndEndAtTheUmbi
     for (const CurvatureLine& line : lines) {
       const auto [low, high] = range_along(mesh, line, [&](const Vec3& q) {
         const Confocal c = confocal_coordinates(q, axes);
-        return which == DirectionFamily::maximal ? std::sqrt(c.nu - axes.y * axes.y) : std::sqrt(axes.y * axes.y - c.mu);
+        return which == DirectionFamily::maximal ? std::sqrt(c.nu - axes.y * axes.y)
+                                                 : std::sqrt(axes.y * axes.y - c.mu);
       });
       const double width = which == DirectionFamily::maximal ? std::sqrt(axes.x * axes.x - axes.y * axes.y)
                                                              : std::sqrt(axes.y * axes.y - axes.z * axes.z);
       worst = std::max(worst, (high - low) / width);
       total += line.length;
-      for (const auto& [end, point] : {std::pair{line.begins, line.points.front()}, std::pair{line.ends, line.points.back()}})
+      for (const auto& [end, point] :
+           {std::pair{line.begins, line.points.front()}, std::pair{line.ends, line.points.back()}})
         if (end == LineEnd::umbilic) {
           double nearest = 1e300;
           for (int u = 0; u < 4; ++u) {
@@ -227,8 +229,10 @@ TEST(DirectionLines, LengthsOutOfRangeAreRefusedByName)
   for (const double spacing : {1e-300, -1.0, 1e300, HUGE_VAL, std::nan("")}) {
     const DirectionParameters p = family(DirectionFamily::maximal, spacing);
     for (const bool traced : {true, false}) try {
-        if (traced) lines_of(mesh, result, p);
-        else direction_segments(Surface(mesh), curvature_field(result), p);
+        if (traced)
+          lines_of(mesh, result, p);
+        else
+          direction_segments(Surface(mesh), curvature_field(result), p);
         ADD_FAILURE() << spacing;
       } catch (const ParameterError& e) {
         EXPECT_NE(std::string(e.what()).find("'spacing'"), std::string::npos) << e.what();

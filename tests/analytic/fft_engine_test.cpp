@@ -26,7 +26,8 @@ std::vector<BallMoments> moments_of(const Surface& surface, double radius, doubl
   Execution execution(threads);
   std::vector<BallMoments> result(surface.vertex_count());
   make_fft_engine(surface, parameters)
-      ->evaluate({radius}, [&](std::size_t v, int, const BallMoments& m) { result[v] = m; }, execution);
+      ->evaluate(
+          {radius}, [&](std::size_t v, int, const BallMoments& m) { result[v] = m; }, execution);
   return result;
 }
 
@@ -111,7 +112,8 @@ TEST(FftEngine, EveryVertexOfAnIcosphereIsWithinThreePercent)
   const Surface surface(icosphere(6));
   ASSERT_EQ(surface.vertex_count(), 40962u);
   const double r = 8;
-  for (const double kappa_r : curvatures(moments_of(surface, r, 6), r)) EXPECT_NEAR(kappa_r / r / surface.unit(), 1, 0.03);
+  for (const double kappa_r : curvatures(moments_of(surface, r, 6), r))
+    EXPECT_NEAR(kappa_r / r / surface.unit(), 1, 0.03);
 }
 
 TEST(FftEngine, ErrorFallsWithAtLeastTheSecondOrderOfTheGridStep)
@@ -142,7 +144,8 @@ TEST(FftEngine, ThreadsDoNotChangeABit)
     }
 }
 
-/// Kernels of a finite band ring beyond the ball, and tiles cut that off: they differ by less than the grid's own error.
+/// Kernels of a finite band ring beyond the ball, and tiles cut that off: they differ by less than the grid's own
+/// error.
 TEST(FftEngine, TilesAgreeWithTheWholeGrid)
 {
   const Surface surface(rotated(torus(1, 0.4, 160, 64), normalized({1, 2, 3}), 0.7));

@@ -49,8 +49,11 @@ TEST(RidgesAndValleys, HysteresisKeepsWeakVerticesOnlyNextToStrongOnes)
 {
   const TriangleMesh mesh = icosphere(4);
   // Two caps above the low threshold; only the upper one has a top above the high one.
-  const Result result = painted(mesh, [](const Vec3& p) { return p.z > 0.9 ? 10.0 : std::abs(p.z) > 0.6 ? 5.0 : 1.0; },
-                                [](const Vec3&) { return 0.0; });
+  const Result result = painted(
+      mesh, [](const Vec3& p) { return p.z > 0.9             ? 10.0
+                                       : std::abs(p.z) > 0.6 ? 5.0
+                                                             : 1.0; },
+      [](const Vec3&) { return 0.0; });
   const auto found = find_ridges_and_valleys(Surface(mesh), result, absolute(8, 4));
   ASSERT_EQ(found.regions.size(), 1u);
   EXPECT_EQ(found.regions[0].kind, FeatureKind::ridge);
@@ -63,8 +66,8 @@ TEST(RidgesAndValleys, HysteresisKeepsWeakVerticesOnlyNextToStrongOnes)
 TEST(RidgesAndValleys, SmallRegionsAreDroppedByVerticesAndByArea)
 {
   const TriangleMesh mesh = icosphere(4);
-  const Result result = painted(mesh, [](const Vec3& p) { return p.z > 0.8 || p.z < -0.95 ? 10.0 : 0.0; },
-                                [](const Vec3&) { return 0.0; });
+  const Result result = painted(
+      mesh, [](const Vec3& p) { return p.z > 0.8 || p.z < -0.95 ? 10.0 : 0.0; }, [](const Vec3&) { return 0.0; });
   RidgeValleyParameters p = absolute(8, 4);
   EXPECT_EQ(find_ridges_and_valleys(Surface(mesh), result, p).regions.size(), 2u);
   p.minimum_vertices = 150;
@@ -73,17 +76,20 @@ TEST(RidgesAndValleys, SmallRegionsAreDroppedByVerticesAndByArea)
   p.minimum_area = 0.6;
   const auto found = find_ridges_and_valleys(Surface(mesh), result, p);
   ASSERT_EQ(found.regions.size(), 1u);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_EQ(found.region[v], mesh.positions[v].z > 0.8 ? 0 : -1);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    EXPECT_EQ(found.region[v], mesh.positions[v].z > 0.8 ? 0 : -1);
 }
 
 TEST(RidgesAndValleys, PercentileMarksThatPartOfTheVertices)
 {
   const TriangleMesh mesh = icosphere(5);
-  const Result result = painted(mesh, [](const Vec3& p) { return p.z + 2; }, [](const Vec3& p) { return -(2 - p.z); });
+  const Result result = painted(
+      mesh, [](const Vec3& p) { return p.z + 2; }, [](const Vec3& p) { return -(2 - p.z); });
   RidgeValleyParameters p;
   p.high_percentile = p.low_percentile = 90;
   const auto found = find_ridges_and_valleys(Surface(mesh), result, p);
-  const double part = double(count(found, FeatureKind::ridge) + count(found, FeatureKind::valley)) / double(mesh.positions.size());
+  const double part =
+      double(count(found, FeatureKind::ridge) + count(found, FeatureKind::valley)) / double(mesh.positions.size());
   EXPECT_NEAR(part, 0.1, 0.01);
   EXPECT_EQ(found.regions.size(), 2u);  // |κ| is largest at both poles: a ridge at the upper, a valley at the lower one
   p.valleys = false;
@@ -100,7 +106,8 @@ TEST(RidgesAndValleys, StandWhereTheyWereBuiltAlsoWithNoise)
       mesh = with_normal_noise(mesh, sigma * edge);
       Parameters parameters;
       if (sigma > 0) parameters.r_min = 4 * edge;
-      const auto found = find_ridges_and_valleys(Surface(mesh), compute_curvature(mesh, parameters), absolute(1.8, 1.2));
+      const auto found =
+          find_ridges_and_valleys(Surface(mesh), compute_curvature(mesh, parameters), absolute(1.8, 1.2));
       const FeatureKind kind = sign > 0 ? FeatureKind::ridge : FeatureKind::valley;
       double centre = 0, n = 0;
       for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -57,7 +57,8 @@ TEST(Signature, IsNegativeInAHollowAndPositiveOnACorner)
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     if (norm(mesh.positions[v]) < 1e-9)  // one eighth of the ball is solid: 1 − 2/8
       for (const auto& scale : signature.of(SignatureQuantity::volume)) { EXPECT_NEAR(scale[v], 0.75, 0.03); }
-  const Signature inside = compute_signature(joined(box(3, 3, 3, 0.2), translated(flipped(icosphere(3, 1)), {1.5, 1.5, 1.5})), p);
+  const Signature inside =
+      compute_signature(joined(box(3, 3, 3, 0.2), translated(flipped(icosphere(3, 1)), {1.5, 1.5, 1.5})), p);
   EXPECT_LT(inside.of(SignatureQuantity::volume)[0].back(), -0.02);
 }
 

@@ -55,7 +55,8 @@ TEST(Statistical, NoisySphere)
   EXPECT_LT(mean_error(compute_curvature(noisy_sphere(0.5), statistical()), 1), 0.12);
 }
 
-// A torus's curvatures change from scale to scale, its directions do not: they are those of balls that average the noise.
+// A torus's curvatures change from scale to scale, its directions do not: they are those of balls that average the
+// noise.
 TEST(Statistical, DirectionsStayWhereOnlyCurvaturesChangeWithTheScale)
 {
   const TriangleMesh clean = torus(1, 0.4, 128, 80);

@@ -22,14 +22,15 @@ using Allocator = vcg::tri::Allocator<Mesh>;
 using Update = vcg::tri::UpdateCurvatureIntegralInvariant<Mesh>;
 
 constexpr float untouched = 42;
-constexpr const char* names[] = {"ii_kmax", "ii_kmin", "ii_radius", "ii_error", "ii_confidence", "ii_dirmax", "ii_dirmin"};
+constexpr const char* names[] = {"ii_kmax",       "ii_kmin",   "ii_radius", "ii_error",
+                                 "ii_confidence", "ii_dirmax", "ii_dirmin"};
 
-/// A sphere that has an attribute of the user's, one of the results' names with another type, and one with the right type.
+/// A sphere that has an attribute of the user's, one of the results' names with another type, and one with the right
+/// type.
 void fill(Mesh& m)
 {
   const auto sphere = test_support::icosphere(2);
-  for (const auto& p : sphere.positions)
-    Allocator::AddVertex(m, Mesh::CoordType(float(p.x), float(p.y), float(p.z)));
+  for (const auto& p : sphere.positions) Allocator::AddVertex(m, Mesh::CoordType(float(p.x), float(p.y), float(p.z)));
   for (const auto& t : sphere.triangles) Allocator::AddFace(m, size_t(t[0]), size_t(t[1]), size_t(t[2]));
   auto other = Allocator::AddPerVertexAttribute<char>(m, "ii_radius");
   auto same = Allocator::AddPerVertexAttribute<float>(m, "ii_error");
@@ -62,7 +63,8 @@ void expect_complete(Mesh& m)
   auto kmax = Allocator::FindPerVertexAttribute<float>(m, "ii_kmax");
   auto radius = Allocator::FindPerVertexAttribute<float>(m, "ii_radius");
   auto dirmin = Allocator::FindPerVertexAttribute<Mesh::CoordType>(m, "ii_dirmin");
-  ASSERT_TRUE(Allocator::IsValidHandle(m, kmax) && Allocator::IsValidHandle(m, radius) && Allocator::IsValidHandle(m, dirmin));
+  ASSERT_TRUE(Allocator::IsValidHandle(m, kmax) && Allocator::IsValidHandle(m, radius) &&
+              Allocator::IsValidHandle(m, dirmin));
   for (auto& v : m.vert) {
     ASSERT_EQ(kmax[v], v.cK1());
     ASSERT_EQ(radius[v], v.cR());
@@ -114,7 +116,8 @@ TEST(VcgHeaderMemory, ComputeIsAllOrNothing)
   fill(m);
   Update::Params params;
   params.threads = 2;
-  expect_all_or_nothing(m, [&] { Update::Compute(m, params); }, [](long n) { return 2 * n; });
+  expect_all_or_nothing(
+      m, [&] { Update::Compute(m, params); }, [](long n) { return 2 * n; });
 }
 
 TEST(VcgHeaderMemory, WritingIsAllOrNothingAtEveryAllocation)
@@ -122,5 +125,6 @@ TEST(VcgHeaderMemory, WritingIsAllOrNothingAtEveryAllocation)
   Mesh m;
   fill(m);
   const auto result = integral_invariant::compute_curvature(Update::CopyMesh(m), {});
-  expect_all_or_nothing(m, [&] { Update::Write(m, result); }, [](long n) { return n + 1; });
+  expect_all_or_nothing(
+      m, [&] { Update::Write(m, result); }, [](long n) { return n + 1; });
 }

@@ -72,9 +72,9 @@ TEST(Models, UndamagedVerticesOfTheBrokenSpheresHaveTheSpheresCurvature)
   const struct {
     const char* name;
     double radius;
-  } spheres[] = {{"syn_sphere_tiny_1e-20", 1e-20}, {"syn_sphere_tiny_1e-6", 1e-6}, {"syn_sphere_huge_1e15", 1e15},
-                 {"syn_sphere_inside_out", 1}, {"syn_sphere_duplicate_faces", 1},
-                 {"syn_sphere_unreferenced_vertices", 1}};
+  } spheres[] = {{"syn_sphere_tiny_1e-20", 1e-20},  {"syn_sphere_tiny_1e-6", 1e-6},
+                 {"syn_sphere_huge_1e15", 1e15},    {"syn_sphere_inside_out", 1},
+                 {"syn_sphere_duplicate_faces", 1}, {"syn_sphere_unreferenced_vertices", 1}};
   for (const auto& sphere : spheres) {
     SCOPED_TRACE(sphere.name);
     const std::string path = model_path(std::string("d_broken/") + sphere.name);

@@ -116,7 +116,8 @@ TEST(SurfaceEngineBroken, VertexOnAnotherTrianglesEdge)
     const MomentTable table = expect_sensible(mesh);
     for (std::size_t v = 0; v < table.size(); ++v)
       for (std::size_t k = 0; k < radii.size(); ++k)
-        EXPECT_NEAR(table[v][k].volume / (2 * pi / 3 * std::pow(radii[k], 3)), 1, 1e-2) << v << " " << k << " " << rounding;
+        EXPECT_NEAR(table[v][k].volume / (2 * pi / 3 * std::pow(radii[k], 3)), 1, 1e-2)
+            << v << " " << k << " " << rounding;
   }
 }
 

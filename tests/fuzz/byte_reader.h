@@ -34,16 +34,28 @@ class ByteReader {
 
   std::int32_t any_int()
   {
-    constexpr std::int32_t special[] = {0, 1, -1, 2, 32, 33, 1000, std::numeric_limits<std::int32_t>::max(),
-                                        std::numeric_limits<std::int32_t>::min()};
+    constexpr std::int32_t special[] = {
+        0, 1, -1, 2, 32, 33, 1000, std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()};
     const std::uint32_t choice = below(16);
     return choice < std::size(special) ? special[choice] : std::int32_t(byte()) - 64;
   }
   double any_real()
   {
     using Limits = std::numeric_limits<double>;
-    constexpr double special[] = {0, -0.0, 1, -1, Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
-                                  Limits::max(), -Limits::max(), Limits::min(), Limits::denorm_min(), 1e-20, 1e15, 1e8};
+    constexpr double special[] = {0,
+                                  -0.0,
+                                  1,
+                                  -1,
+                                  Limits::quiet_NaN(),
+                                  Limits::infinity(),
+                                  -Limits::infinity(),
+                                  Limits::max(),
+                                  -Limits::max(),
+                                  Limits::min(),
+                                  Limits::denorm_min(),
+                                  1e-20,
+                                  1e15,
+                                  1e8};
     const std::uint32_t choice = below(24);
     if (choice < std::size(special)) return special[choice];
     if (choice < 20) return between(-2, 20);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fuzzing: any mesh with any parameters through the whole pipeline. Either it is refused in words, or cancelled when asked
-// to, or every value is finite and in its range, whatever the number of threads.
+// Fuzzing: any mesh with any parameters through the whole pipeline. Either it is refused in words, or cancelled when
+// asked to, or every value is finite and in its range, whatever the number of threads.
 #include "fuzz/invariants.h"
 #include "fuzz/read_mesh.h"
 #include "fuzz/read_parameters.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fuzzing: any mesh with any request through the filters: ridges and valleys, crest lines, direction lines, signature, and
-// the curvature filter's quality and colours. Either refused in words, or finite throughout.
+// Fuzzing: any mesh with any request through the filters: ridges and valleys, crest lines, direction lines, signature,
+// and the curvature filter's quality and colours. Either refused in words, or finite throughout.
 #include <algorithm>
 
 #include "feature_outcome.h"
@@ -19,7 +19,8 @@ double read_value(fuzz::ByteReader& bytes, const ParameterSpec& spec)
 {
   const std::uint32_t choice = bytes.below(8);
   if (choice == 0) return bytes.any_real();
-  if (spec.kind == Kind::integer || spec.kind == Kind::choice || spec.kind == Kind::boolean) return double(bytes.below(12));
+  if (spec.kind == Kind::integer || spec.kind == Kind::choice || spec.kind == Kind::boolean)
+    return double(bytes.below(12));
   if (spec.kind == Kind::length && choice < 3) return bytes.magnitude();
   return bytes.between(std::max(spec.minimum, -10.0), std::min(spec.maximum, 10.0));
 }
@@ -44,10 +45,19 @@ Request read_request(fuzz::ByteReader& bytes, FilterId filter)
 /// Fields that the C++ interface takes without a table.
 void spoil(fuzz::ByteReader& bytes, Request& r)
 {
-  double* const reals[] = {&r.ridge_valley.high_percentile, &r.ridge_valley.low_percentile, &r.ridge_valley.high_curvature,
-                           &r.ridge_valley.low_curvature, &r.ridge_valley.minimum_area, &r.crest.minimum_strength,
-                           &r.crest.minimum_length, &r.crest.minimum_sharpness, &r.direction.spacing,
-                           &r.direction.segment_length, &r.direction.minimum_length, &r.direction.umbilic, &r.signature.p};
+  double* const reals[] = {&r.ridge_valley.high_percentile,
+                           &r.ridge_valley.low_percentile,
+                           &r.ridge_valley.high_curvature,
+                           &r.ridge_valley.low_curvature,
+                           &r.ridge_valley.minimum_area,
+                           &r.crest.minimum_strength,
+                           &r.crest.minimum_length,
+                           &r.crest.minimum_sharpness,
+                           &r.direction.spacing,
+                           &r.direction.segment_length,
+                           &r.direction.minimum_length,
+                           &r.direction.umbilic,
+                           &r.signature.p};
   *reals[bytes.below(std::size(reals))] = bytes.any_real();
   int* const wholes[] = {&r.ridge_valley.minimum_vertices, &r.crest.smoothing_passes, &r.direction.smoothing_passes,
                          &r.signature.scale};

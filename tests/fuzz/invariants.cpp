@@ -65,6 +65,9 @@ void require_equal(const Result& a, const Result& b)
           "any number of threads gives the same bits");
 }
 
-void require_sentence(const std::exception& error) { require(std::strlen(error.what()) > 10, "an error says what is wrong"); }
+void require_sentence(const std::exception& error)
+{
+  require(std::strlen(error.what()) > 10, "an error says what is wrong");
+}
 
 }  // namespace fuzz

@@ -42,7 +42,8 @@ TriangleMesh sheet(ByteReader& bytes)
   const std::int32_t columns = 2 + std::int32_t(bytes.below(7)), rows = 2 + std::int32_t(bytes.below(7));
   const double height = bytes.between(0, 2);
   for (std::int32_t j = 0; j < rows; ++j)
-    for (std::int32_t i = 0; i < columns; ++i) mesh.positions.push_back({double(i), double(j), height * std::sin(i + 2.0 * j)});
+    for (std::int32_t i = 0; i < columns; ++i)
+      mesh.positions.push_back({double(i), double(j), height * std::sin(i + 2.0 * j)});
   for (std::int32_t j = 0; j + 1 < rows; ++j)
     for (std::int32_t i = 0; i + 1 < columns; ++i) {
       const std::int32_t a = j * columns + i, b = a + 1, c = a + columns, d = c + 1;
@@ -55,14 +56,23 @@ TriangleMesh sheet(ByteReader& bytes)
 TriangleMesh read_shape(ByteReader& bytes)
 {
   switch (bytes.below(8)) {
-    case 0: return test_support::icosphere(0);
-    case 1: return test_support::icosphere(1);
-    case 2: return test_support::icosphere(2);
-    case 3: return test_support::torus(2, 0.6, 12, 5);
-    case 4: return test_support::box(1, 1, 1, bytes.between(0.3, 1));
-    case 5: return sheet(bytes);
-    case 6: return test_support::joined(test_support::icosphere(1), test_support::translated(test_support::icosphere(1), read_point(bytes)));
-    default: return loose_triangles(bytes);
+    case 0:
+      return test_support::icosphere(0);
+    case 1:
+      return test_support::icosphere(1);
+    case 2:
+      return test_support::icosphere(2);
+    case 3:
+      return test_support::torus(2, 0.6, 12, 5);
+    case 4:
+      return test_support::box(1, 1, 1, bytes.between(0.3, 1));
+    case 5:
+      return sheet(bytes);
+    case 6:
+      return test_support::joined(test_support::icosphere(1),
+                                  test_support::translated(test_support::icosphere(1), read_point(bytes)));
+    default:
+      return loose_triangles(bytes);
   }
 }
 
@@ -72,26 +82,60 @@ void add_defect(ByteReader& bytes, TriangleMesh& mesh)
   const std::uint32_t defect = bytes.below(16);
   if (defect < 6 || mesh.triangles.empty()) {
     switch (defect) {
-      case 0: p.x = bytes.any_real(); return;
-      case 1: p = {bytes.any_real(), bytes.any_real(), bytes.any_real()}; return;
-      case 2: p = mesh.positions[std::size_t(some_vertex(bytes, mesh))]; return;
-      case 3: p += read_point(bytes) * bytes.magnitude(); return;
-      case 4: mesh.positions.push_back(read_point(bytes)); return;
-      default: p += read_point(bytes); return;
+      case 0:
+        p.x = bytes.any_real();
+        return;
+      case 1:
+        p = {bytes.any_real(), bytes.any_real(), bytes.any_real()};
+        return;
+      case 2:
+        p = mesh.positions[std::size_t(some_vertex(bytes, mesh))];
+        return;
+      case 3:
+        p += read_point(bytes) * bytes.magnitude();
+        return;
+      case 4:
+        mesh.positions.push_back(read_point(bytes));
+        return;
+      default:
+        p += read_point(bytes);
+        return;
     }
   }
   Triangle& t = some_triangle(bytes, mesh);
   switch (defect) {
-    case 6: std::swap(t[0], t[1]); return;
-    case 7: t[2] = t[bytes.below(2)]; return;
-    case 8: t[bytes.below(3)] = bytes.any_int(); return;
-    case 9: t[bytes.below(3)] = some_vertex(bytes, mesh); return;
-    case 10: t = mesh.triangles.back(); mesh.triangles.pop_back(); return;
-    case 11: mesh.triangles.push_back(Triangle(t)); return;
-    case 12: mesh.triangles.push_back({t[1], t[0], t[2]}); return;
-    case 13: mesh.triangles.push_back({t[0], t[1], some_vertex(bytes, mesh)}); return;
-    case 14: for (Triangle& other : mesh.triangles) std::swap(other[0], other[1]); return;
-    default: mesh.positions.push_back(p); t[0] = std::int32_t(mesh.positions.size()) - 1; return;
+    case 6:
+      std::swap(t[0], t[1]);
+      return;
+    case 7:
+      t[2] = t[bytes.below(2)];
+      return;
+    case 8:
+      t[bytes.below(3)] = bytes.any_int();
+      return;
+    case 9:
+      t[bytes.below(3)] = some_vertex(bytes, mesh);
+      return;
+    case 10:
+      t = mesh.triangles.back();
+      mesh.triangles.pop_back();
+      return;
+    case 11:
+      mesh.triangles.push_back(Triangle(t));
+      return;
+    case 12:
+      mesh.triangles.push_back({t[1], t[0], t[2]});
+      return;
+    case 13:
+      mesh.triangles.push_back({t[0], t[1], some_vertex(bytes, mesh)});
+      return;
+    case 14:
+      for (Triangle& other : mesh.triangles) std::swap(other[0], other[1]);
+      return;
+    default:
+      mesh.positions.push_back(p);
+      t[0] = std::int32_t(mesh.positions.size()) - 1;
+      return;
   }
 }
 
@@ -99,11 +143,20 @@ void move(ByteReader& bytes, TriangleMesh& mesh)
 {
   Vec3 scale{1, 1, 1}, offset;
   switch (bytes.below(8)) {
-    case 0: scale = Vec3{1, 1, 1} * bytes.magnitude(); break;
-    case 1: scale = {bytes.magnitude(), bytes.unit(), 1}; break;
-    case 2: offset = read_point(bytes) * bytes.magnitude(); break;
-    case 3: scale.z = 0; break;
-    default: return;
+    case 0:
+      scale = Vec3{1, 1, 1} * bytes.magnitude();
+      break;
+    case 1:
+      scale = {bytes.magnitude(), bytes.unit(), 1};
+      break;
+    case 2:
+      offset = read_point(bytes) * bytes.magnitude();
+      break;
+    case 3:
+      scale.z = 0;
+      break;
+    default:
+      return;
   }
   for (Vec3& p : mesh.positions) p = Vec3{p.x * scale.x, p.y * scale.y, p.z * scale.z} + offset;
   if (bytes.flag())

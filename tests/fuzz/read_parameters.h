@@ -7,8 +7,8 @@
 
 namespace fuzz {
 
-/// Every field as it is by default, within its range, or anything at all. Memory is limited to a few MiB, and what only takes
-/// time (iterations, passes, cells) is either small or out of its range.
+/// Every field as it is by default, within its range, or anything at all. Memory is limited to a few MiB, and what only
+/// takes time (iterations, passes, cells) is either small or out of its range.
 integral_invariant::Parameters read_parameters(ByteReader& bytes);
 
 /// What read_parameters() sees to for a request made otherwise: memory and time.

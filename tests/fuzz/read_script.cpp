@@ -25,12 +25,18 @@ std::string unescaped(const std::string& text)
       const std::size_t end = text.find(';', i);
       require(end != std::string::npos, "an entity ends");
       const std::string name = text.substr(i + 1, end - i - 1);
-      if (name == "amp") plain += '&';
-      else if (name == "lt") plain += '<';
-      else if (name == "gt") plain += '>';
-      else if (name == "quot") plain += '"';
-      else if (name.size() > 1 && name[0] == '#') plain += char(std::atoi(name.c_str() + 1));
-      else require(false, "an entity is known");
+      if (name == "amp")
+        plain += '&';
+      else if (name == "lt")
+        plain += '<';
+      else if (name == "gt")
+        plain += '>';
+      else if (name == "quot")
+        plain += '"';
+      else if (name.size() > 1 && name[0] == '#')
+        plain += char(std::atoi(name.c_str() + 1));
+      else
+        require(false, "an entity is known");
       i = end;
     }
   }

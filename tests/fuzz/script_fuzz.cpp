@@ -21,8 +21,10 @@ std::vector<std::string> arguments_in(const std::string& text)
 {
   std::vector<std::string> arguments(1);
   for (const char c : text) {
-    if (c == '\0') arguments.emplace_back();
-    else arguments.back() += c;
+    if (c == '\0')
+      arguments.emplace_back();
+    else
+      arguments.back() += c;
   }
   return arguments;
 }
@@ -63,7 +65,8 @@ void require_same(const Request& written, const Request& read, FilterId filter)
     if (spec.kind == Kind::save_file) continue;
     fuzz::require(spec.get(written) == spec.get(read), "a script has the values that it was written from");
   }
-  fuzz::require(written.output.export_file == read.output.export_file, "a script has the file name it was written from");
+  fuzz::require(written.output.export_file == read.output.export_file,
+                "a script has the file name it was written from");
 }
 
 }  // namespace

@@ -14,12 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// MeshLab itself may leave out vertices and faces when it reads a broken file; the filter answers for those that are left.
+/// MeshLab itself may leave out vertices and faces when it reads a broken file; the filter answers for those that are
+/// left.
 void expect_finite(const PlyFile& exported)
 {
   ASSERT_FALSE(exported.property("x").empty());
-  for (const char* name : {"ii_kmax", "ii_kmin", "ii_radius", "ii_confidence", "ii_dirmax_x", "ii_dirmax_y", "ii_dirmax_z",
-                           "ii_dirmin_x", "ii_dirmin_y", "ii_dirmin_z", "quality"}) {
+  for (const char* name : {"ii_kmax", "ii_kmin", "ii_radius", "ii_confidence", "ii_dirmax_x", "ii_dirmax_y",
+                           "ii_dirmax_z", "ii_dirmin_x", "ii_dirmin_y", "ii_dirmin_z", "quality"}) {
     ASSERT_EQ(exported.property(name).size(), exported.property("x").size()) << name;
     for (const double value : exported.property(name)) ASSERT_TRUE(std::isfinite(value)) << name;
   }
@@ -48,7 +49,8 @@ TEST_P(BrokenModels, GiveFiniteValuesOrASentenceInMeshLabServer)
     }
     ++refused;
     EXPECT_EQ(run.status, 255) << run.log;
-    const bool faceless = run.log.find("The mesh has no faces. Curvature is measured on a surface") != std::string::npos;
+    const bool faceless =
+        run.log.find("The mesh has no faces. Curvature is measured on a surface") != std::string::npos;
     const bool flat = run.log.find("No face of the mesh has an area.") != std::string::npos;
     EXPECT_TRUE(faceless || flat) << run.log;
   }

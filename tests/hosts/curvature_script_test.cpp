@@ -67,8 +67,10 @@ TEST_F(CurvatureScript, LeavesExportPictureAndSummary)
 TEST_F(CurvatureScript, ReadsOtherFormatsAndWritesWhereItIsTold)
 {
   const TriangleMesh mesh = torus(1, 0.4, 30, 16);
-  std::string off = "OFF\n" + std::to_string(mesh.positions.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
-  for (const Vec3& p : mesh.positions) off += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+  std::string off =
+      "OFF\n" + std::to_string(mesh.positions.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
+  for (const Vec3& p : mesh.positions)
+    off += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
   for (const Triangle& t : mesh.triangles)
     off += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
   write_text(folder_ / "mesh.off", off);
@@ -96,7 +98,10 @@ TEST_F(CurvatureScript, IsReadyWithinASecondWhenNothingChanged)
   EXPECT_LT(elapsed.count(), 1.0);
 }
 
-TEST_F(CurvatureScript, RefusesAMeshThatIsNotThere) { expect_refused({"nothing.ply"}, "there is no mesh file nothing.ply"); }
+TEST_F(CurvatureScript, RefusesAMeshThatIsNotThere)
+{
+  expect_refused({"nothing.ply"}, "there is no mesh file nothing.ply");
+}
 
 TEST_F(CurvatureScript, RefusesAMeshThatMeshLabCannotRead)
 {

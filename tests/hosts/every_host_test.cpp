@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One mesh on every MeshLab release that is supported: the same bits, and the core's; plugins of another release refused.
+// One mesh on every MeshLab release that is supported: the same bits, and the core's; plugins of another release
+// refused.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -52,7 +53,8 @@ TEST_P(EveryHost, FillsQualityRadiusAndColour)
 
 TEST_P(EveryHost, RefusesBadInputWithASentenceAndSavesNothing)
 {
-  const HostRun run = run_script(host_, folder_ / "mesh.ply", with_value(exporting(), "scales", "0"), folder_ / "saved.ply");
+  const HostRun run =
+      run_script(host_, folder_ / "mesh.ply", with_value(exporting(), "scales", "0"), folder_ / "saved.ply");
   EXPECT_NE(run.status, 0);
   EXPECT_TRUE(run.status < 128 || run.status == 255) << "ended by a signal: " << run.status;
   EXPECT_NE(run.log.find("'scales'"), std::string::npos) << run.log;
@@ -97,8 +99,9 @@ TEST_P(WrongHost, RefusesThePluginAndGoesOn)
   const auto [release, other] = GetParam();
   const Host host = find_host(release);
   const std::string plugin =
-      other == std::string("double") ? build_folder() + "/hosts/2025.07-double/filter_feature_adapted_ii/libfilter_feature_adapted_ii.so"
-                                     : find_host(other).plugin;
+      other == std::string("double")
+          ? build_folder() + "/hosts/2025.07-double/filter_feature_adapted_ii/libfilter_feature_adapted_ii.so"
+          : find_host(other).plugin;
   if (!host.unavailable.empty()) GTEST_SKIP() << host.unavailable;
   if (!fs::exists(plugin)) GTEST_SKIP() << "not run: there is no " << plugin;
 
@@ -117,13 +120,16 @@ TEST(WrongHostOf2020, LeavesThePluginOutAndGoesOn)
   if (!host.unavailable.empty()) GTEST_SKIP() << host.unavailable;
   if (!later.unavailable.empty()) GTEST_SKIP() << later.unavailable;
   const TemporaryFolder folder;
-  const std::string make = "set -euo pipefail; source \"$0/common.sh\"; source \"$0/meshlab_2020_09.sh\"; "
-                           "make_meshlab_2020_09 \"$1\" \"$2\"";
-  ASSERT_EQ(run_program({"bash", "-c", make, source_folder() + "/scripts/lib", folder / "prefix", later.plugin}).status, 0);
+  const std::string make =
+      "set -euo pipefail; source \"$0/common.sh\"; source \"$0/meshlab_2020_09.sh\"; "
+      "make_meshlab_2020_09 \"$1\" \"$2\"";
+  ASSERT_EQ(run_program({"bash", "-c", make, source_folder() + "/scripts/lib", folder / "prefix", later.plugin}).status,
+            0);
   write_ply(folder / "mesh.ply", torus(1, 0.4, 12, 8));
-  const std::string normals = "<!DOCTYPE FilterScript>\n<FilterScript>\n<filter name=\"Invert Faces Orientation\">"
-                              "<Param type=\"RichBool\" name=\"forceFlip\" value=\"true\"/>"
-                              "<Param type=\"RichBool\" name=\"onlySelected\" value=\"false\"/></filter>\n</FilterScript>\n";
+  const std::string normals =
+      "<!DOCTYPE FilterScript>\n<FilterScript>\n<filter name=\"Invert Faces Orientation\">"
+      "<Param type=\"RichBool\" name=\"forceFlip\" value=\"true\"/>"
+      "<Param type=\"RichBool\" name=\"onlySelected\" value=\"false\"/></filter>\n</FilterScript>\n";
   write_text(folder / "other.mlx", normals);
   const ProgramResult run = run_program({"timeout", "60", "xvfb-run", "-a", folder / "prefix/bin/meshlabserver", "-i",
                                          folder / "mesh.ply", "-o", folder / "saved.ply", "-s", folder / "other.mlx"});

@@ -33,18 +33,20 @@ class FeatureFilters : public testing::TestWithParam<const char*> {
   HostRun run(FilterId filter, const TriangleMesh& mesh, Assignments assignments, const std::string& saved = "")
   {
     write_ply(folder_ / "mesh.ply", mesh);
-    return run_script(host_, folder_ / "mesh.ply", filter_script(assignments, filter), saved.empty() ? "" : folder_ / saved);
+    return run_script(host_, folder_ / "mesh.ply", filter_script(assignments, filter),
+                      saved.empty() ? "" : folder_ / saved);
   }
 
   const Host host_ = find_host(GetParam());
   const TemporaryFolder folder_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Releases, FeatureFilters, testing::Values("2020.09", "2022.02", "2025.07"), [](const auto& tested) {
-  std::string name = tested.param;
-  name[4] = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Releases, FeatureFilters, testing::Values("2020.09", "2022.02", "2025.07"),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           name[4] = '_';
+                           return name;
+                         });
 
 /// Lines that begin so.
 std::size_t count_lines(const std::string& file, const std::string& start)
@@ -59,7 +61,8 @@ TEST_P(FeatureFilters, CrestLinesAreTheCoresAndMeshLabSavesTheirEdges)
 {
   // Without symmetry: on it the derivative is rounding, and so is the side of an edge that a line passes.
   const TriangleMesh mesh = with_tangential_jitter(ellipsoid(4, axes), 0.02);
-  const HostRun result = run(FilterId::crest_lines, mesh, {"lift=0", "export_file=" + (folder_ / "crest.ply")}, "crest.obj");
+  const HostRun result =
+      run(FilterId::crest_lines, mesh, {"lift=0", "export_file=" + (folder_ / "crest.ply")}, "crest.obj");
   ASSERT_EQ(result.status, 0) << result.log;
   const PlyFile exported = read_ply(folder_ / "crest.ply");
 
@@ -99,12 +102,14 @@ TEST_P(FeatureFilters, RidgesAreColouredAndLaterStepsSeeThem)
 {
   const TriangleMesh mesh = box_with_ridge(2.5, 1, 0.06, 1.237, 0.3, 0.3);
   write_ply(folder_ / "mesh.ply", mesh);
-  std::string script = filter_script({"threshold=1", "high_curvature=1.6", "low_curvature=1.2"}, FilterId::ridges_and_valleys);
-  script.insert(script.find("</FilterScript>"),
-                "<filter name=\"Per Vertex Quality Function\"><Param type=\"RichString\" name=\"q\" value=\"ii_feature\"/>"
-                "<Param type=\"RichBool\" name=\"normalize\" value=\"false\"/>"
-                "<Param type=\"RichBool\" name=\"map\" value=\"false\"/>"
-                "<Param type=\"RichBool\" name=\"onselected\" value=\"true\"/></filter>\n");
+  std::string script =
+      filter_script({"threshold=1", "high_curvature=1.6", "low_curvature=1.2"}, FilterId::ridges_and_valleys);
+  script.insert(
+      script.find("</FilterScript>"),
+      "<filter name=\"Per Vertex Quality Function\"><Param type=\"RichString\" name=\"q\" value=\"ii_feature\"/>"
+      "<Param type=\"RichBool\" name=\"normalize\" value=\"false\"/>"
+      "<Param type=\"RichBool\" name=\"map\" value=\"false\"/>"
+      "<Param type=\"RichBool\" name=\"onselected\" value=\"true\"/></filter>\n");
   const HostRun result = run_script(host_, folder_ / "mesh.ply", script, folder_ / "saved.ply");
   ASSERT_EQ(result.status, 0) << result.log;
   const PlyFile saved = read_ply(folder_ / "saved.ply");
@@ -123,7 +128,8 @@ TEST_P(FeatureFilters, RidgesAreColouredAndLaterStepsSeeThem)
 TEST_P(FeatureFilters, SignatureIsTheCores)
 {
   const TriangleMesh mesh = torus(1, 0.4, 60, 30);
-  const HostRun result = run(FilterId::signature, mesh, {"scales=3", "scale=2", "export_file=" + (folder_ / "sig.ply")});
+  const HostRun result =
+      run(FilterId::signature, mesh, {"scales=3", "scale=2", "export_file=" + (folder_ / "sig.ply")});
   ASSERT_EQ(result.status, 0) << result.log;
   const PlyFile exported = read_ply(folder_ / "sig.ply");
   Parameters parameters;

@@ -55,8 +55,10 @@ Host find_host(const std::string& release)
   const std::string program = folder + (own ? "/meshlab-2020.09/bin/meshlabserver" : "/runner/meshlab_script_runner");
   Host host{release, folder + "/filter_feature_adapted_ii/libfilter_feature_adapted_ii.so", ""};
   const std::string reason = read_text(build_folder() + "/hosts/" + release + ".unavailable");
-  if (!reason.empty()) host.unavailable = "not run: " + reason;
-  else if (!std::filesystem::exists(program)) host.unavailable = "not run: there is no " + program + "; scripts/test makes it";
+  if (!reason.empty())
+    host.unavailable = "not run: " + reason;
+  else if (!std::filesystem::exists(program))
+    host.unavailable = "not run: there is no " + program + "; scripts/test makes it";
   return host;
 }
 
@@ -81,8 +83,10 @@ HostRun run_script(const Host& host, const std::string& mesh_file, const std::st
   const auto add = [&command](const std::vector<std::string>& words) {
     command.insert(command.end(), words.begin(), words.end());
   };
-  if (host.release == "2020.09") add({"xvfb-run", "-a", build_folder() + "/meshlab-2020.09/bin/meshlabserver"});
-  else add(runner_command(host.release, {"--plugin", host.plugin}));
+  if (host.release == "2020.09")
+    add({"xvfb-run", "-a", build_folder() + "/meshlab-2020.09/bin/meshlabserver"});
+  else
+    add(runner_command(host.release, {"--plugin", host.plugin}));
   if (!mesh_file.empty()) add({"-i", mesh_file});
   if (!saved.empty()) add({"-o", saved});
   if (!saved.empty() && host.release == "2020.09") add({"-m", "vq", "vr", "vc", "vn"});

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using integral_invariant::filter::Kind;
-using integral_invariant::filter::ParameterSpec;
 using integral_invariant::filter::parameter_table;
+using integral_invariant::filter::ParameterSpec;
 
 class MeshLabServer : public testing::Test {
  protected:
@@ -78,7 +78,8 @@ TEST_F(MeshLabServer, ExportsWhatTheCoreComputesWithAFixedRadius)
 TEST_F(MeshLabServer, ExportsWhatTheCoreComputesOnAModel)
 {
   const std::string model = models_folder() + "/a_closed_organic/spot_23k.ply";
-  if (!fs::exists(model)) GTEST_SKIP() << "not run: there is no " << model << " (II_MODELS names the folder of the models)";
+  if (!fs::exists(model))
+    GTEST_SKIP() << "not run: there is no " << model << " (II_MODELS names the folder of the models)";
   const HostRun run = run_script(host_, model, exporting(), "");
   ASSERT_EQ(run.status, 0) << run.log;
   expect_equal_to_core(read_ply(folder_ / "export.ply"), read_ply(model).mesh(), {});
@@ -165,12 +166,14 @@ TEST_F(MeshLabServer, RefusesRadiiInTheWrongOrder)
 
 TEST_F(MeshLabServer, RefusesAGridBeyondTheMemoryWithTheSizeItNeeds)
 {
-  expect_refused(written(small_torus()), exporting({"engine=0", "fft_cells_per_radius=64", "scales=32", "memory_limit_mb=16"}), "MiB");
+  expect_refused(written(small_torus()),
+                 exporting({"engine=0", "fft_cells_per_radius=64", "scales=32", "memory_limit_mb=16"}), "MiB");
 }
 
 TEST_F(MeshLabServer, RefusesARadiusFarUnderTheEdges)
 {
-  expect_refused(written(small_torus()), exporting({"engine=0", "radius_choice=1", "radius=1e-9"}), "average edge lengths");
+  expect_refused(written(small_torus()), exporting({"engine=0", "radius_choice=1", "radius=1e-9"}),
+                 "average edge lengths");
 }
 
 TEST_F(MeshLabServer, RefusesAScriptWithoutAMesh)
@@ -191,12 +194,18 @@ TEST_F(MeshLabServer, RefusesAnExportThatCannotBeWritten)
 std::vector<std::string> bad_values(const ParameterSpec& spec)
 {
   switch (spec.kind) {
-    case Kind::boolean: return {};
-    case Kind::save_file: return {};
-    case Kind::integer: return {"-1"};
-    case Kind::choice: return {"-1", "99"};
-    case Kind::length: return {"-0.5", "nan"};
-    case Kind::real: return {"-1", "1e30", "nan"};
+    case Kind::boolean:
+      return {};
+    case Kind::save_file:
+      return {};
+    case Kind::integer:
+      return {"-1"};
+    case Kind::choice:
+      return {"-1", "99"};
+    case Kind::length:
+      return {"-0.5", "nan"};
+    case Kind::real:
+      return {"-1", "1e30", "nan"};
   }
   return {};
 }

@@ -171,7 +171,8 @@ TEST_F(Plugin, WritesWhatTheCoreComputes)
 
   EXPECT_TRUE(model.cm.vert[0].IsD());
   EXPECT_EQ(std::size_t(model.cm.vn), expected.kappa_max.size());
-  for (int mask : {MeshModel::MM_VERTCURVDIR, MeshModel::MM_VERTRADIUS, MeshModel::MM_VERTQUALITY, MeshModel::MM_VERTCOLOR})
+  for (int mask :
+       {MeshModel::MM_VERTCURVDIR, MeshModel::MM_VERTRADIUS, MeshModel::MM_VERTQUALITY, MeshModel::MM_VERTCOLOR})
     EXPECT_TRUE(model.hasDataMask(mask));
   auto kmax = vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Scalarm>(model.cm, "ii_kmax");
   auto dirmin = vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Point3m>(model.cm, "ii_dirmin");

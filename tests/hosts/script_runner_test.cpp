@@ -32,7 +32,8 @@ class ScriptRunner : public testing::Test {
   {
     const ProgramResult result = run(arguments);
     EXPECT_EQ(result.status, status) << result.output;
-    EXPECT_NE(result.output.find(sentence), std::string::npos) << "expected: " << sentence << "\noutput:\n" << result.output;
+    EXPECT_NE(result.output.find(sentence), std::string::npos) << "expected: " << sentence << "\noutput:\n"
+                                                               << result.output;
     EXPECT_TRUE(is_listed(last_words(result.output))) << "not in docs/messages.md: " << last_words(result.output);
     EXPECT_FALSE(fs::exists(folder_ / "saved.ply"));
   }
@@ -42,7 +43,9 @@ class ScriptRunner : public testing::Test {
   {
     const std::string own_name = "meshlab_script_runner: ";
     const std::size_t begin = output.rfind(own_name);
-    return begin == std::string::npos ? "" : output.substr(begin + own_name.size(), output.find('\n', begin) - begin - own_name.size());
+    return begin == std::string::npos
+               ? ""
+               : output.substr(begin + own_name.size(), output.find('\n', begin) - begin - own_name.size());
   }
 
   static bool is_listed(const std::string& message)
@@ -61,7 +64,8 @@ class ScriptRunner : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-const char* const invert = "<filter name=\"Invert Faces Orientation\"><Param type=\"RichBool\" name=\"forceFlip\" value=\"true\"/></filter>";
+const char* const invert =
+    "<filter name=\"Invert Faces Orientation\"><Param type=\"RichBool\" name=\"forceFlip\" value=\"true\"/></filter>";
 
 TEST_F(ScriptRunner, RunsMeshLabsOwnFiltersWithDefaultsForWhatTheScriptLeavesOut)
 {
@@ -83,8 +87,7 @@ TEST_F(ScriptRunner, ConvertsWithoutAScript)
 TEST_F(ScriptRunner, SavesNamedAttributes)
 {
   write_text(folder_ / "ours.mlx", filter_script({}));
-  const ProgramResult result =
-      run({"--plugin", host_.plugin, "-i", "mesh.ply", "-s", "ours.mlx", "-o", "saved.ply"});
+  const ProgramResult result = run({"--plugin", host_.plugin, "-i", "mesh.ply", "-s", "ours.mlx", "-o", "saved.ply"});
   ASSERT_EQ(result.status, 0) << result.output;
   const PlyFile saved = read_ply(folder_ / "saved.ply");
   EXPECT_EQ(saved.property("ii_radius"), saved.property("radius"));
@@ -111,8 +114,9 @@ TEST_F(ScriptRunner, EndsWith1WhereAFilterFails)
   const std::string ours = filter_script({});
   const std::size_t begin = ours.find("<filter");
   const std::string after = ours.substr(begin, ours.find("</FilterScript>") - begin);
-  expect_failure({"--plugin", host_.plugin, "-i", "mesh.ply", "-s", script("<filter name=\"Delete Current Mesh\"/>" + after), "-o",
-                  "saved.ply"}, 1, "There is no mesh to measure: open one first.");
+  expect_failure({"--plugin", host_.plugin, "-i", "mesh.ply", "-s",
+                  script("<filter name=\"Delete Current Mesh\"/>" + after), "-o", "saved.ply"},
+                 1, "There is no mesh to measure: open one first.");
 }
 
 TEST_F(ScriptRunner, EndsWith2WhereTheCommandLineIsBad)
@@ -146,9 +150,11 @@ TEST_F(ScriptRunner, EndsWith5WhereAScriptCannotBeUsed)
   expect_failure(with("nothing.mlx"), 5, "there is no script nothing.mlx");
   expect_failure(with(script("")), 5, "no filter script");
   expect_failure(with(script("<filter name=\"Make Coffee\"/>")), 5, "there is no filter 'Make Coffee'");
-  expect_failure(with(script("<filter name=\"Invert Faces Orientation\"><Param type=\"RichBool\" name=\"sugar\" value=\"true\"/></filter>")),
+  expect_failure(with(script("<filter name=\"Invert Faces Orientation\"><Param type=\"RichBool\" name=\"sugar\" "
+                             "value=\"true\"/></filter>")),
                  5, "has no parameter 'sugar'");
-  expect_failure(with(script("<filter name=\"Invert Faces Orientation\"><Param type=\"RichInt\" name=\"forceFlip\" value=\"1\"/></filter>")),
+  expect_failure(with(script("<filter name=\"Invert Faces Orientation\"><Param type=\"RichInt\" name=\"forceFlip\" "
+                             "value=\"1\"/></filter>")),
                  5, "'forceFlip'");
   expect_failure(with(script("<filter name=\"Ambient Occlusion\"/>")), 5, "needs MeshLab's window");
 }

@@ -74,15 +74,9 @@ TEST_P(Coordinates, OfAnySizeGiveTheSameShape)
   for (const double scale : {1e-20, 1e-6, 1e6, 1e15}) expect_within(1e-7, scaled(sample(), scale), scale);
 }
 
-TEST_P(Coordinates, AHundredMillionFromTheOrigin)
-{
-  expect_within(3e-6, translated(sample(), {1e8, -1e8, 1e8}));
-}
+TEST_P(Coordinates, AHundredMillionFromTheOrigin) { expect_within(3e-6, translated(sample(), {1e8, -1e8, 1e8})); }
 
-TEST_P(Coordinates, InSinglePrecision)
-{
-  expect_within(3e-5, in_single_precision(sample()));
-}
+TEST_P(Coordinates, InSinglePrecision) { expect_within(3e-5, in_single_precision(sample())); }
 
 TEST_P(Coordinates, InSinglePrecisionAHundredSizesFromTheOrigin)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of vertices, faces and corners, and the number of threads, change no bit of what the filters for features leave.
+// The order of vertices, faces and corners, and the number of threads, change no bit of what the filters for features
+// leave.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +16,8 @@ using test_support::ShuffledMesh;
 
 TriangleMesh closed_mesh()
 {
-  return test_support::with_tangential_jitter(test_support::with_normal_noise(test_support::ellipsoid(3, {2, 1.4, 0.8}), 0.002), 0.02);
+  return test_support::with_tangential_jitter(
+      test_support::with_normal_noise(test_support::ellipsoid(3, {2, 1.4, 0.8}), 0.002), 0.02);
 }
 
 /// With a boundary, vertices that no face uses, and repeated faces.
@@ -50,17 +52,12 @@ FeatureOutcome outcome_of(FilterId filter, const TriangleMesh& mesh, int threads
 
 void expect_same_bits(const FeatureOutcome& a, const FeatureOutcome& b, const ShuffledMesh& order)
 {
-  if (!a.selection.empty()) {
-    EXPECT_EQ(a.selection, order.back(b.selection));
-  }
-  if (!a.quality.empty()) {
-    EXPECT_EQ(a.quality, order.back(b.quality));
-  }
-  if (!a.colors.empty()) {
-    EXPECT_EQ(a.colors, order.back(b.colors));
-  }
+  if (!a.selection.empty()) { EXPECT_EQ(a.selection, order.back(b.selection)); }
+  if (!a.quality.empty()) { EXPECT_EQ(a.quality, order.back(b.quality)); }
+  if (!a.colors.empty()) { EXPECT_EQ(a.colors, order.back(b.colors)); }
   ASSERT_EQ(a.attributes.size(), b.attributes.size());
-  for (std::size_t i = 0; i < a.attributes.size(); ++i) EXPECT_EQ(a.attributes[i].values, order.back(b.attributes[i].values));
+  for (std::size_t i = 0; i < a.attributes.size(); ++i)
+    EXPECT_EQ(a.attributes[i].values, order.back(b.attributes[i].values));
   ASSERT_EQ(a.lines.has_value(), b.lines.has_value());
   if (!a.lines) return;
   EXPECT_FALSE(a.lines->edges.empty());

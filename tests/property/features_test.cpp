@@ -34,10 +34,7 @@ Features features(const TriangleMesh& mesh, int threads)
           find_ridges_and_valleys(surface, result, {})};
 }
 
-TriangleMesh sample()
-{
-  return with_tangential_jitter(with_normal_noise(ellipsoid(4, {2, 1.4, 0.8}), 0.002), 0.02);
-}
+TriangleMesh sample() { return with_tangential_jitter(with_normal_noise(ellipsoid(4, {2, 1.4, 0.8}), 0.002), 0.02); }
 
 void expect_same_points(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoint>& b, double tolerance)
 {
@@ -87,8 +84,8 @@ TEST(Features, DoNotDependOnTheUnitOfTheMesh)
 TEST(Features, OfBrokenMeshesAreFinite)
 {
   TriangleMesh mesh = sample();
-  mesh.triangles.resize(mesh.triangles.size() / 2);                // open, with a ragged rim
-  mesh.triangles.push_back(mesh.triangles[7]);                     // twice the same
+  mesh.triangles.resize(mesh.triangles.size() / 2);                           // open, with a ragged rim
+  mesh.triangles.push_back(mesh.triangles[7]);                                // twice the same
   mesh.triangles.push_back({mesh.triangles[9][0], mesh.triangles[9][1], 5});  // three at an edge
   mesh.positions.push_back({std::nan(""), 0, 0});
   const Features found = features(mesh, 0);

@@ -31,8 +31,9 @@ TriangleMesh dirty_mesh()
 {
   TriangleMesh mesh = closed_mesh();
   const auto n = std::int32_t(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(),
-                        {{0.3, 0.2, 0.1}, {1e6, 0, 0}, {std::nan(""), 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}});
+  mesh.positions.insert(
+      mesh.positions.end(),
+      {{0.3, 0.2, 0.1}, {1e6, 0, 0}, {std::nan(""), 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}});
   for (const std::size_t repeated : {7, 7, 100, 311}) mesh.triangles.push_back(mesh.triangles[repeated]);
   mesh.triangles.push_back({5, 5, n});
   mesh.triangles.push_back({9, 10, n + 2});

@@ -52,13 +52,12 @@ constexpr int fewest_refusals = 6;  // every run makes more than 2^6 allocations
 
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(
-    Runs, OutOfMemory,
-    testing::Values(Case{EngineKind::surface_integral, RadiusChoice::statistical, 1},
-                    Case{EngineKind::surface_integral, RadiusChoice::statistical, 3},
-                    Case{EngineKind::surface_integral, RadiusChoice::feature_adapted, 3},
-                    Case{EngineKind::volume_fft, RadiusChoice::statistical, 1},
-                    Case{EngineKind::volume_fft, RadiusChoice::feature_adapted, 3}));
+INSTANTIATE_TEST_SUITE_P(Runs, OutOfMemory,
+                         testing::Values(Case{EngineKind::surface_integral, RadiusChoice::statistical, 1},
+                                         Case{EngineKind::surface_integral, RadiusChoice::statistical, 3},
+                                         Case{EngineKind::surface_integral, RadiusChoice::feature_adapted, 3},
+                                         Case{EngineKind::volume_fft, RadiusChoice::statistical, 1},
+                                         Case{EngineKind::volume_fft, RadiusChoice::feature_adapted, 3}));
 
 TEST_P(OutOfMemory, CurvatureIsRefusedWithoutALoss)
 {
@@ -80,11 +79,12 @@ TEST(OutOfMemoryFeatures, LinesAreRefusedWithoutALoss)
   const Result result = compute_curvature(mesh, {});
   const Surface surface(mesh);
   EXPECT_GT(times_refused([&] {
-    Execution execution(3);
-    CrestLineParameters crest;
-    crest.minimum_sharpness = 0;
-    find_crest_lines(surface, curvature_field(result), crest, execution);
-    trace_curvature_lines(surface, curvature_field(result), {}, execution);
-    find_ridges_and_valleys(surface, result, {});
-  }), fewest_refusals);
+              Execution execution(3);
+              CrestLineParameters crest;
+              crest.minimum_sharpness = 0;
+              find_crest_lines(surface, curvature_field(result), crest, execution);
+              trace_curvature_lines(surface, curvature_field(result), {}, execution);
+              find_ridges_and_valleys(surface, result, {});
+            }),
+            fewest_refusals);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How soon a run on a large mesh asks whether to go on: the longest processor time between two calls of the callback, in
-// every stage, must leave the user waiting 0.2 s at most. And that the worst of meshes do not make it wait for ever.
+// How soon a run on a large mesh asks whether to go on: the longest processor time between two calls of the callback,
+// in every stage, must leave the user waiting 0.2 s at most. And that the worst of meshes do not make it wait for ever.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,8 @@ const TriangleMesh& large_mesh()
   return mesh;
 }
 
-/// Processor time of the calling thread, which the load of the machine does not change. With one thread all work is its.
+/// Processor time of the calling thread, which the load of the machine does not change. With one thread all work is
+/// its.
 double processor_seconds()
 {
   timespec time;

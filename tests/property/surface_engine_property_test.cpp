@@ -59,7 +59,8 @@ TEST(SurfaceEngineProperty, BalancedIsWithinOnePercentOfExact)
     parameters.exactness = Exactness::exact;
     const MomentTable exact = surface_moments(surface, radii, parameters);
     for (std::size_t k = 0; k < radii.size(); ++k) {
-      EXPECT_LT(curvature_error(balanced, exact, k), k == 0 ? 0.03 : 0.01) << "noise " << noise << " radius " << radii[k];
+      EXPECT_LT(curvature_error(balanced, exact, k), k == 0 ? 0.03 : 0.01)
+          << "noise " << noise << " radius " << radii[k];
       EXPECT_LT(curvature_error(fast, exact, k), k == 0 ? 0.05 : 0.01) << "noise " << noise << " radius " << radii[k];
     }
   }
@@ -104,7 +105,8 @@ TEST(SurfaceEngineProperty, DistantSheetsAddUp)
   const TriangleMesh all{surface.positions(), surface.triangles()};
   for (std::size_t v = 0; v < a.positions.size(); v += 37)
     for (const std::size_t k : {std::size_t(1), std::size_t(6)})
-      EXPECT_LT(moment_distance(table[v][k], polyhedron_moments(all, surface.positions()[v], radii[k]), radii[k]), 1e-9);
+      EXPECT_LT(moment_distance(table[v][k], polyhedron_moments(all, surface.positions()[v], radii[k]), radii[k]),
+                1e-9);
 }
 
 TEST(SurfaceEngineProperty, SameSheetSeesOneSideOfAThinPlate)
@@ -161,7 +163,8 @@ TEST(SurfaceEngineProperty, LargeBallsAreWithinOnePercentOfExact)
     const MomentTable exact = surface_moments(surface, wide, parameters);
     // The largest ball holds most of the torus: there the far side's triangles, seen steeply, show.
     for (std::size_t k = 0; k < wide.size(); ++k)
-      EXPECT_LT(curvature_error(balanced, exact, k, wide), wide[k] < 32 ? 0.01 : 0.015) << noise << " radius " << wide[k];
+      EXPECT_LT(curvature_error(balanced, exact, k, wide), wide[k] < 32 ? 0.01 : 0.015)
+          << noise << " radius " << wide[k];
   }
 }
 

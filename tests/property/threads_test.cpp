@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs on several threads, small enough for a sanitizer: the same bits as on one, and failures of workers reach the caller.
+// Runs on several threads, small enough for a sanitizer: the same bits as on one, and failures of workers reach the
+// caller.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -53,7 +54,8 @@ INSTANTIATE_TEST_SUITE_P(Runs, Threads,
 
 TEST_P(Threads, GiveTheSameBitsAsOne)
 {
-  const Result one = compute_curvature(sample(), parameters(1), {}), four = compute_curvature(sample(), parameters(4), {});
+  const Result one = compute_curvature(sample(), parameters(1), {}),
+               four = compute_curvature(sample(), parameters(4), {});
   EXPECT_EQ(one.kappa_max, four.kappa_max);
   EXPECT_EQ(one.kappa_min, four.kappa_min);
   EXPECT_EQ(one.radius, four.radius);
@@ -69,9 +71,12 @@ TEST_P(Threads, AnExceptionInAWorkerReachesTheCaller)
   const auto engine = make_moment_engine(surface, parameters(4), execution);
   std::atomic<int> calls{0};
   try {
-    engine->evaluate({2, 4}, [&](std::size_t, int, const BallMoments&) {
-      if (++calls == 1000) throw WorkerFailed("the thousandth ball");
-    }, execution);
+    engine->evaluate(
+        {2, 4},
+        [&](std::size_t, int, const BallMoments&) {
+          if (++calls == 1000) throw WorkerFailed("the thousandth ball");
+        },
+        execution);
     FAIL() << "nothing was thrown";
   } catch (const WorkerFailed& error) {
     EXPECT_STREQ(error.what(), "the thousandth ball");

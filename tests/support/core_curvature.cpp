@@ -15,8 +15,8 @@ void write_rows(const integral_invariant::Result& r, const char* path)
 {
   std::ofstream out(path, std::ios::binary);
   for (std::size_t v = 0; v < r.kappa_max.size(); ++v) {
-    const double row[] = {r.kappa_max[v],  r.kappa_min[v],  r.radius[v],     double(r.confidence[v]), r.dir_max[v].x,
-                          r.dir_max[v].y,  r.dir_max[v].z,  r.dir_min[v].x,  r.dir_min[v].y,          r.dir_min[v].z};
+    const double row[] = {r.kappa_max[v], r.kappa_min[v], r.radius[v],    double(r.confidence[v]), r.dir_max[v].x,
+                          r.dir_max[v].y, r.dir_max[v].z, r.dir_min[v].x, r.dir_min[v].y,          r.dir_min[v].z};
     out.write(reinterpret_cast<const char*>(row), sizeof row);
   }
 }

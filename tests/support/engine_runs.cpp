@@ -13,7 +13,8 @@ MomentTable surface_moments(const Surface& surface, const std::vector<double>& r
   MomentTable all(surface.vertex_count(), std::vector<BallMoments>(radii.size()));
   Execution execution(parameters.threads);
   make_surface_engine(surface, parameters, execution)
-      ->evaluate(radii, [&](std::size_t v, int k, const BallMoments& m) { all[v][std::size_t(k)] = m; }, execution);
+      ->evaluate(
+          radii, [&](std::size_t v, int k, const BallMoments& m) { all[v][std::size_t(k)] = m; }, execution);
   return all;
 }
 

@@ -6,7 +6,8 @@
 
 namespace test_support {
 
-/// From here to the end of its scope the n-th allocation by operator new (from 1), and all after it, throw std::bad_alloc.
+/// From here to the end of its scope the n-th allocation by operator new (from 1), and all after it, throw
+/// std::bad_alloc.
 class MemoryRunsOut {
  public:
   explicit MemoryRunsOut(long at_allocation);

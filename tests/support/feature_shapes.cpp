@@ -85,10 +85,12 @@ Confocal confocal_coordinates(Vec3 p, Vec3 axes)
 {
   const double a2 = axes.x * axes.x, b2 = axes.y * axes.y, c2 = axes.z * axes.z;
   p *= 1 / std::sqrt(p.x * p.x / a2 + p.y * p.y / b2 + p.z * p.z / c2);
-  // Without the denominators: (a² − λ)(b² − λ)(c² − λ) (Σ p_i²/(a_i² − λ) − 1) / λ is a parabola with the roots μ and ν.
+  // Without the denominators: (a² − λ)(b² − λ)(c² − λ) (Σ p_i²/(a_i² − λ) − 1) / λ is a parabola with the roots μ and
+  // ν.
   const auto f = [&](double s) {
     return (p.x * p.x * (b2 - s) * (c2 - s) + p.y * p.y * (a2 - s) * (c2 - s) + p.z * p.z * (a2 - s) * (b2 - s) -
-            (a2 - s) * (b2 - s) * (c2 - s)) / s;
+            (a2 - s) * (b2 - s) * (c2 - s)) /
+           s;
   };
   return {bisect(c2, b2, f), bisect(b2, a2, f)};
 }

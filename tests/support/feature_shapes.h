@@ -19,15 +19,15 @@ integral_invariant::Result torus_curvature(const TriangleMesh& mesh, double majo
 /// The four umbilics of the ellipsoid a > b > c.
 std::vector<Vec3> ellipsoid_umbilics(Vec3 half_axes);
 
-/// The confocal coordinates (μ in [c², b²], ν in [b², a²]) of the point of the ellipsoid a > b > c next to `p`. Along a line
-/// of curvature of the family of κ_max ν is constant, along one of κ_min μ is.
+/// The confocal coordinates (μ in [c², b²], ν in [b², a²]) of the point of the ellipsoid a > b > c next to `p`. Along a
+/// line of curvature of the family of κ_max ν is constant, along one of κ_min μ is.
 struct Confocal {
   double mu, nu;
 };
 Confocal confocal_coordinates(Vec3 p, Vec3 half_axes);
 
-/// Closed box [0, length]² × [0, height] whose top carries the ridge `ridge_height` exp(−(x − x₀)²/(2 width²)) along y: its
-/// crest at x = x₀ has the radius width²/ridge_height. A negative height makes a valley.
+/// Closed box [0, length]² × [0, height] whose top carries the ridge `ridge_height` exp(−(x − x₀)²/(2 width²)) along y:
+/// its crest at x = x₀ has the radius width²/ridge_height. A negative height makes a valley.
 TriangleMesh box_with_ridge(double length, double height, double step, double x0, double ridge_height, double width);
 
 }  // namespace test_support

@@ -14,8 +14,10 @@ std::vector<std::string> listed_messages(const std::string& section)
   std::vector<std::string> messages;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
-    if (line.rfind("## ", 0) == 0) inside = line.compare(3, section.size(), section) == 0;
-    else if (inside && line.rfind("> ", 0) == 0) messages.push_back(line.substr(2));
+    if (line.rfind("## ", 0) == 0)
+      inside = line.compare(3, section.size(), section) == 0;
+    else if (inside && line.rfind("> ", 0) == 0)
+      messages.push_back(line.substr(2));
   }
   return messages;
 }

@@ -64,16 +64,26 @@ double read_binary(std::istream& in)
 double read_value(std::istream& in, const std::string& type, bool ascii)
 {
   double value = 0;
-  if (ascii) in >> value;
-  else if (type == "float" || type == "float32") value = read_binary<float>(in);
-  else if (type == "double" || type == "float64") value = read_binary<double>(in);
-  else if (type == "int" || type == "int32") value = read_binary<std::int32_t>(in);
-  else if (type == "uint" || type == "uint32") value = read_binary<std::uint32_t>(in);
-  else if (type == "short" || type == "int16") value = read_binary<std::int16_t>(in);
-  else if (type == "ushort" || type == "uint16") value = read_binary<std::uint16_t>(in);
-  else if (type == "char" || type == "int8") value = read_binary<std::int8_t>(in);
-  else if (type == "uchar" || type == "uint8") value = read_binary<std::uint8_t>(in);
-  else throw std::runtime_error("unknown PLY type " + type);
+  if (ascii)
+    in >> value;
+  else if (type == "float" || type == "float32")
+    value = read_binary<float>(in);
+  else if (type == "double" || type == "float64")
+    value = read_binary<double>(in);
+  else if (type == "int" || type == "int32")
+    value = read_binary<std::int32_t>(in);
+  else if (type == "uint" || type == "uint32")
+    value = read_binary<std::uint32_t>(in);
+  else if (type == "short" || type == "int16")
+    value = read_binary<std::int16_t>(in);
+  else if (type == "ushort" || type == "uint16")
+    value = read_binary<std::uint16_t>(in);
+  else if (type == "char" || type == "int8")
+    value = read_binary<std::int8_t>(in);
+  else if (type == "uchar" || type == "uint8")
+    value = read_binary<std::uint8_t>(in);
+  else
+    throw std::runtime_error("unknown PLY type " + type);
   if (!in) throw std::runtime_error("the PLY file ends too early");
   return value;
 }
@@ -152,7 +162,8 @@ PlyFile read_ply(const std::string& path)
   return file;
 }
 
-void write_ply(const std::string& path, const TriangleMesh& mesh, const std::map<std::string, std::vector<double>>& extra)
+void write_ply(const std::string& path, const TriangleMesh& mesh,
+               const std::map<std::string, std::vector<double>>& extra)
 {
   std::ofstream out(path, std::ios::binary);
   write_header(out, mesh, extra);

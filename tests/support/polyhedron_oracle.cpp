@@ -33,12 +33,18 @@ void add(Ten& sum, const Ten& b, Real s)
 }
 void add_first(Ten& sum, V v, Real s)
 {
-  sum[1] += v.x * s; sum[2] += v.y * s; sum[3] += v.z * s;
+  sum[1] += v.x * s;
+  sum[2] += v.y * s;
+  sum[3] += v.z * s;
 }
 void add_second(Ten& sum, V a, V b, Real s)
 {
-  sum[4] += a.x * b.x * s; sum[5] += (a.x * b.y + a.y * b.x) / 2 * s; sum[6] += (a.x * b.z + a.z * b.x) / 2 * s;
-  sum[7] += a.y * b.y * s; sum[8] += (a.y * b.z + a.z * b.y) / 2 * s; sum[9] += a.z * b.z * s;
+  sum[4] += a.x * b.x * s;
+  sum[5] += (a.x * b.y + a.y * b.x) / 2 * s;
+  sum[6] += (a.x * b.z + a.z * b.x) / 2 * s;
+  sum[7] += a.y * b.y * s;
+  sum[8] += (a.y * b.z + a.z * b.y) / 2 * s;
+  sum[9] += a.z * b.z * s;
 }
 
 /// The plane at distance h along the unit vector n, and the ball.

@@ -69,10 +69,7 @@ std::string read_text(const std::string& path)
   return text.str();
 }
 
-void write_text(const std::string& path, const std::string& text)
-{
-  std::ofstream(path, std::ios::binary) << text;
-}
+void write_text(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 std::string environment(const char* name, const std::string& otherwise)
 {

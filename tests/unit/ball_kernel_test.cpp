@@ -66,7 +66,8 @@ TEST(BallKernel, AllTenAgreeWithNumericalIntegration)
     const auto expected = integrals_over_ball(k);
     const double factor = sampling_correction(k.x) * sampling_correction(k.y) * sampling_correction(k.z) /
                           (double(size[0]) * size[1] * size[2]);
-    const std::size_t index = (std::size_t(at[0]) * std::size_t(size[1]) + std::size_t(at[1])) * half + std::size_t(at[2]);
+    const std::size_t index =
+        (std::size_t(at[0]) * std::size_t(size[1]) + std::size_t(at[1])) * half + std::size_t(at[2]);
     for (int m = 0; m < moment_count; ++m) {
       std::vector<std::complex<float>> result(count);
       kernel.apply(m, ones.data(), result.data());

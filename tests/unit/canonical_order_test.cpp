@@ -64,7 +64,8 @@ TEST(CanonicalOrder, OfAMeshInsideOutIsThatOfItsRightSide)
 
 TEST(CanonicalOrder, VerticesThatBoundNothingComeLast)
 {
-  TriangleMesh mesh{{{9, 9, 9}, {1, 0, 0}, {std::nan(""), 0, 0}, {0, 0, 0}, {0, 1, 0}}, {{1, 4, 3}, {1, 2, 3}, {0, 1, 1}}};
+  TriangleMesh mesh{{{9, 9, 9}, {1, 0, 0}, {std::nan(""), 0, 0}, {0, 0, 0}, {0, 1, 0}},
+                    {{1, 4, 3}, {1, 2, 3}, {0, 1, 1}}};
   const CanonicalMesh canonical = in_canonical_order(mesh);
   EXPECT_EQ(canonical.caller[3], 0u);
   EXPECT_EQ(canonical.caller[4], 2u);
@@ -100,11 +101,9 @@ TEST(CanonicalOrder, RefusesAnIndexOutOfRangeAsTheCallerHasIt)
     in_canonical_order(mesh);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("refers to vertex 12345, but the mesh has 1080 vertices"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("refers to vertex 12345, but the mesh has 1080 vertices"),
+              std::string::npos);
   }
 }
 
-TEST(CanonicalOrder, OfNothingIsNothing)
-{
-  EXPECT_TRUE(in_canonical_order({}).caller.empty());
-}
+TEST(CanonicalOrder, OfNothingIsNothing) { EXPECT_TRUE(in_canonical_order({}).caller.empty()); }

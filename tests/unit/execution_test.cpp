@@ -40,7 +40,8 @@ TEST(ParallelFor, StopsSoonWhenTheCallbackReturnsFalse)
   using Clock = std::chrono::steady_clock;
   for (const int threads : {1, 2}) {
     const auto start = Clock::now();
-    Execution execution(threads, [&](int, const char*) { return Clock::now() - start < std::chrono::milliseconds(150); });
+    Execution execution(threads,
+                        [&](int, const char*) { return Clock::now() - start < std::chrono::milliseconds(150); });
     const RangeBody sleep = [](std::size_t, std::size_t, int) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     };
@@ -65,9 +66,8 @@ TEST(Execution, CallsBackFromItsOwnThreadInOrderAndSeldom)
     return true;
   });
   execution.begin_stage("first", 60);
-  parallel_for(60, 1, execution, [](std::size_t, std::size_t, int) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  });
+  parallel_for(60, 1, execution,
+               [](std::size_t, std::size_t, int) { std::this_thread::sleep_for(std::chrono::milliseconds(10)); });
   execution.begin_stage("second", 100);
   execution.finish();
   EXPECT_TRUE(std::is_sorted(percents.begin(), percents.end()));

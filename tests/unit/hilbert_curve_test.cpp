@@ -43,7 +43,8 @@ TEST(HilbertCurve, PassesEveryCellOnceFromNeighbourToNeighbour)
 TEST(HilbertCurve, GoesThroughTheWholeCube)
 {
   const double last = double((1U << HilbertCurve::bits) - 1);
-  const std::vector<std::uint64_t> ends = curve_of_integers().indices({{0, 0, 0}, {last, 0, 0}, {last / 2, last / 2, last / 2}});
+  const std::vector<std::uint64_t> ends =
+      curve_of_integers().indices({{0, 0, 0}, {last, 0, 0}, {last / 2, last / 2, last / 2}});
   EXPECT_EQ(ends[0], 0U);
   EXPECT_EQ(ends[1], end_of_curve - 1);
   EXPECT_LT(ends[2], end_of_curve / 8);
@@ -71,6 +72,7 @@ TEST(HilbertCurve, TakesWhatIsNoNumber)
 {
   const double none = std::nan(""), infinite = std::numeric_limits<double>::infinity();
   for (const double half_side : {0.0, 1.0, 1e308, infinite})
-    for (const std::uint64_t index : HilbertCurve({}, half_side).indices({{1, 2, 3}, {none, 0, infinite}, {-infinite, 1e308, 0}}))
+    for (const std::uint64_t index :
+         HilbertCurve({}, half_side).indices({{1, 2, 3}, {none, 0, infinite}, {-infinite, 1e308, 0}}))
       EXPECT_LT(index, end_of_curve) << half_side;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/messages.md lists what the filters say when they refuse: each message is provoked here, and none is missing there.
+// docs/messages.md lists what the filters say when they refuse: each message is provoked here, and none is missing
+// there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +39,8 @@ std::string refusal(const Action& action)
 }
 
 /// Curvature of the mesh with the method's parameters changed.
-Action curvature(const TriangleMesh& mesh, const std::function<void(Parameters&)>& change = [](Parameters&) {})
+Action curvature(
+    const TriangleMesh& mesh, const std::function<void(Parameters&)>& change = [](Parameters&) {})
 {
   return [=] {
     Parameters parameters;
@@ -100,7 +102,10 @@ std::vector<Action> about_parameters()
   };
   return {
       curvature(sphere, [](Parameters& p) { p.alpha = -1; }),
-      [] { Request request; store_assignment("alpha=-1", request); },
+      [] {
+        Request request;
+        store_assignment("alpha=-1", request);
+      },
       curvature(sphere, [](Parameters& p) { p.estimator = Estimator::yang06; }),
       curvature(sphere, [](Parameters& p) { p.scales = 2; }),
       curvature(sphere, [](Parameters& p) { p.r_min = 0.5, p.r_max = 0.2; }),
@@ -119,8 +124,12 @@ std::vector<Action> about_parameters()
       feature(FilterId::crest_lines, [](Request& r) { r.crest.smoothing_passes = 1000000; }),
       feature(FilterId::principal_directions, [](Request& r) { r.direction.smoothing_passes = 1000000; }),
       feature(FilterId::signature, [](Request& r) { r.signature.scale = 50; }),
-      [=] { reduce(compute_signature(sphere, {}), {SignatureQuantity::volume, Reduction::one_scale, 50, 2}); },
-      [=] { reduce(compute_signature(sphere, {}), {SignatureQuantity::volume, Reduction::p_norm, 1, 0}); },
+      [=] {
+        reduce(compute_signature(sphere, {}), {SignatureQuantity::volume, Reduction::one_scale, 50, 2});
+      },
+      [=] {
+        reduce(compute_signature(sphere, {}), {SignatureQuantity::volume, Reduction::p_norm, 1, 0});
+      },
       feature(FilterId::curvature, [](Request&) {}),
   };
 }
@@ -147,9 +156,12 @@ std::vector<Action> about_memory()
 {
   const TriangleMesh sphere = icosphere(6);
   return {curvature(sphere, [](Parameters& p) { p.memory_limit_mb = 1; }),
-          feature(FilterId::signature, [](Request& r) { r.method.scales = 1, r.method.memory_limit_mb = 7; }, sphere),
-          feature(FilterId::signature, [](Request& r) { r.method.memory_limit_mb = 1; }, sphere),
-          feature(FilterId::principal_directions, [](Request& r) { r.direction.spacing = 0.0005, r.method.memory_limit_mb = 300; }),
+          feature(
+              FilterId::signature, [](Request& r) { r.method.scales = 1, r.method.memory_limit_mb = 7; }, sphere),
+          feature(
+              FilterId::signature, [](Request& r) { r.method.memory_limit_mb = 1; }, sphere),
+          feature(FilterId::principal_directions,
+                  [](Request& r) { r.direction.spacing = 0.0005, r.method.memory_limit_mb = 300; }),
           voxels(needle(), 0.11 * average_edge_length(needle()), 30, 10),
           voxels(joined(icosphere(1), translated(icosphere(1), {1e7, 0, 0})), 0.06, 20, 300),
           voxels(icosphere(3), 0.5, 40, 20),
@@ -158,8 +170,15 @@ std::vector<Action> about_memory()
 
 std::vector<Action> about_scripts()
 {
-  return {[] { Request request; store_assignment("alpha", request); },
-          [] { Request request; store_assignment("sugar=2", request); }, [] { find_filter("Make Coffee"); }};
+  return {[] {
+            Request request;
+            store_assignment("alpha", request);
+          },
+          [] {
+            Request request;
+            store_assignment("sugar=2", request);
+          },
+          [] { find_filter("Make Coffee"); }};
 }
 
 /// Each action refuses with a listed message, and each listed message is that of an action.
@@ -170,7 +189,8 @@ void expect_all(const std::string& section, const std::vector<Action>& actions)
   std::set<std::string> met;
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const std::string said = refusal(actions[i]);
-    const auto found = std::find_if(listed.begin(), listed.end(), [&](const std::string& l) { return is_message(said, l); });
+    const auto found =
+        std::find_if(listed.begin(), listed.end(), [&](const std::string& l) { return is_message(said, l); });
     ASSERT_NE(found, listed.end()) << section << ", action " << i << " says: '" << said << "'";
     met.insert(*found);
   }

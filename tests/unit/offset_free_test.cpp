@@ -85,13 +85,15 @@ TEST(OffsetFree, LargeOffsetOfAHalfSpaceIsCorrectedToThirdOrder)
   const double r = 2, offset = 0.2;
   const OffsetFreeMeasure measure = offset_free_measure(half_space_moments(up, r, offset), r);
   const CurvatureTensor corrected = without_own_bias(measure.tensor, r, offset, 0);
-  EXPECT_LT(std::abs(principal_curvatures(corrected).kappa_max), std::abs(principal_curvatures(measure.tensor).kappa_max) / 4);
+  EXPECT_LT(std::abs(principal_curvatures(corrected).kappa_max),
+            std::abs(principal_curvatures(measure.tensor).kappa_max) / 4);
 }
 
 TEST(OffsetFree, ParaboloidIsExactToFirstOrder)
 {
   const double r = 0.5;
-  const PrincipalCurvatures k = principal_curvatures(offset_free_measure(paraboloid_moments(up, side, 0.02, -0.01, r), r).tensor);
+  const PrincipalCurvatures k =
+      principal_curvatures(offset_free_measure(paraboloid_moments(up, side, 0.02, -0.01, r), r).tensor);
   EXPECT_NEAR(k.kappa_max, 0.02, 2e-6);
   EXPECT_NEAR(k.kappa_min, -0.01, 2e-6);
   EXPECT_NEAR(std::abs(dot(k.dir_max, side)), 1, 1e-6);

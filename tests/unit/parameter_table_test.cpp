@@ -39,8 +39,8 @@ INSTANTIATE_TEST_SUITE_P(Filters, ParameterTables,
 TEST(ParameterTable, HasThePromisedNames)
 {
   for (const char* name : {"radius_choice", "scales", "r_min", "r_max", "radius", "alpha", "step", "max_iterations",
-                           "tolerance", "smooth_radius", "smoothing_passes", "engine", "fft_cells_per_radius", "quality",
-                           "colorize", "color_percentile", "export_file"})
+                           "tolerance", "smooth_radius", "smoothing_passes", "engine", "fft_cells_per_radius",
+                           "quality", "colorize", "color_percentile", "export_file"})
     EXPECT_NE(find_parameter(name), nullptr) << name;
   EXPECT_EQ(find_parameter("no_such"), nullptr);
 }
@@ -60,9 +60,7 @@ TEST_P(ParameterTables, EveryDefaultIsPermittedAndTheCoreAgrees)
 {
   Request request;
   for (const ParameterSpec& spec : parameter_table(GetParam()))
-    if (spec.set) {
-      EXPECT_NO_THROW(store(spec, default_value(spec), request)) << spec.name;
-    }
+    if (spec.set) { EXPECT_NO_THROW(store(spec, default_value(spec), request)) << spec.name; }
   EXPECT_NO_THROW(validate(request.method));
 }
 
@@ -104,8 +102,9 @@ TEST(ParameterTable, TheCoreHoldsTheSameRanges)
     Request at_end, outside;
     spec.set(at_end, std::isfinite(spec.maximum) ? spec.maximum : 1e30);
     EXPECT_NO_THROW(validate(at_end.method)) << spec.name;
-    const bool of_the_core = spec.get(at_end) != default_value(spec) &&
-                             std::string("quality colorize color_percentile memory_limit_mb").find(spec.name) == std::string::npos;
+    const bool of_the_core =
+        spec.get(at_end) != default_value(spec) &&
+        std::string("quality colorize color_percentile memory_limit_mb").find(spec.name) == std::string::npos;
     if (!of_the_core) continue;
     spec.set(outside, spec.minimum - 1);
     EXPECT_THROW(validate(outside.method), ParameterError) << spec.name;
@@ -137,7 +136,11 @@ TEST(ParameterTable, RefusesTextThatIsNoValue)
   EXPECT_THROW(store_from_text(row("scales"), "2.5", request), ParameterError);
   EXPECT_THROW(store_from_text(row("smooth_radius"), "maybe", request), ParameterError);
   EXPECT_THROW(store_from_text(row("export_file"), "out.obj", request), ParameterError);
-  for (const char* no_script_holds : {"a\xc4" "b.ply", "a\x01" "b.ply", "a\nb.ply"})
+  for (const char* no_script_holds : {"a\xc4"
+                                      "b.ply",
+                                      "a\x01"
+                                      "b.ply",
+                                      "a\nb.ply"})
     EXPECT_THROW(store_from_text(row("export_file"), no_script_holds, request), ParameterError);
 }
 

@@ -36,12 +36,12 @@ TEST(Quality, Formulas)
 
 TEST(Quality, ShapeIndexOfTheClassicShapes)
 {
-  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 2, 2), 1);     // cap
-  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 2, 0), 0.5);   // ridge
-  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 2, -2), 0);    // saddle
-  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 0, -2), -0.5); // rut
-  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, -2, -2), -1);  // cup
-  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 0, 0), 0);     // flat
+  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 2, 2), 1);      // cap
+  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 2, 0), 0.5);    // ridge
+  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 2, -2), 0);     // saddle
+  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 0, -2), -0.5);  // rut
+  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, -2, -2), -1);   // cup
+  EXPECT_DOUBLE_EQ(value(Quantity::shape_index, 0, 0), 0);      // flat
 }
 
 TEST(Quality, HugeCurvaturesDoNotOverflowCurvedness)

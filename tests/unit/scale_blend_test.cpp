@@ -19,9 +19,9 @@ std::vector<double> ladder(int n, ScaleSpacing spacing, double r_max = 0)
   return scale_radii(p, 1);
 }
 
-const std::vector<std::vector<double>> ladders = {
-    ladder(1, ScaleSpacing::linear), ladder(2, ScaleSpacing::linear), ladder(8, ScaleSpacing::linear),
-    ladder(32, ScaleSpacing::linear), ladder(8, ScaleSpacing::geometric, 64)};
+const std::vector<std::vector<double>> ladders = {ladder(1, ScaleSpacing::linear), ladder(2, ScaleSpacing::linear),
+                                                  ladder(8, ScaleSpacing::linear), ladder(32, ScaleSpacing::linear),
+                                                  ladder(8, ScaleSpacing::geometric, 64)};
 
 }  // namespace
 

@@ -24,7 +24,8 @@ struct Setting {
     balls.origin.assign(places.size() * radii.size(), Origin::own);
     balls.largest.assign(places.size(), int(radii.size()) - 1);
     least_radius.assign(places.size(), 0);
-    for (std::size_t i = 0; i + 1 < radii.size(); ++i) pools.emplace_back(places, std::max(8.0, 2 * radii[i + 1]), execution);
+    for (std::size_t i = 0; i + 1 < radii.size(); ++i)
+      pools.emplace_back(places, std::max(8.0, 2 * radii[i + 1]), execution);
   }
 
   /// Truth plus slope · r² plus noise whose differences between scales are independent.

@@ -35,7 +35,8 @@ std::size_t cell_count(const CellBox& box)
   return std::size_t(box.size[0]) * std::size_t(box.size[1]) * std::size_t(box.size[2]);
 }
 
-std::vector<float> convert(const Surface& surface, const VoxelGrid& grid, const CellBox& box, const float* carry = nullptr)
+std::vector<float> convert(const Surface& surface, const VoxelGrid& grid, const CellBox& box,
+                           const float* carry = nullptr)
 {
   std::vector<float> cells(cell_count(box));
   scan_convert(surface, grid, box, all_triangles(surface), carry, cells.data(), std::size_t(box.size[2]));
@@ -74,7 +75,8 @@ TEST(ScanConversion, AxisAlignedBoxCoversExactParts)
   const Surface surface(box(1, 1, 1, 1));
   const double edge = surface.diagonal() / std::sqrt(3.0);
   const VoxelGrid grid{Vec3{-0.75, -0.75, -0.75} * edge, edge / 4};  // the faces halve cells 1 + ½·… : at 1 and 5 cells
-  const std::vector<float> cells = convert(surface, {grid.origin - Vec3{0.5, 0.25, 0.75} * grid.step, grid.step}, {{0, 0, 0}, {8, 8, 8}});
+  const std::vector<float> cells =
+      convert(surface, {grid.origin - Vec3{0.5, 0.25, 0.75} * grid.step, grid.step}, {{0, 0, 0}, {8, 8, 8}});
   const auto at = [&](int i, int j, int k) { return cells[std::size_t((i * 8 + j) * 8 + k)]; };
   EXPECT_NEAR(at(1, 3, 3), 0.5, 1e-6);
   EXPECT_NEAR(at(3, 1, 3), 0.75, 1e-6);
@@ -103,7 +105,8 @@ TEST(ScanConversion, RandomTetrahedraAgreeWithSampling)
         for (int k = 0; k < region.size[2]; ++k) {
           int inside = 0;
           for (int s = 0; s < fine * fine * fine; ++s) {
-            const Vec3 u{i + (s % fine + 0.5) / fine, j + (s / fine % fine + 0.5) / fine, k + (s / fine / fine + 0.5) / fine};
+            const Vec3 u{i + (s % fine + 0.5) / fine, j + (s / fine % fine + 0.5) / fine,
+                         k + (s / fine / fine + 0.5) / fine};
             const Vec3 x = grid.origin + u * grid.step;
             bool within = true;
             for (const Triangle& t : surface.triangles()) {
@@ -138,7 +141,8 @@ TEST(ScanConversion, TileWithCarryIsThatPartOfTheWholeGrid)
       for (int j = 0; j < part.size[1]; ++j)
         for (int k = 0; k < part.size[2]; ++k)
           ASSERT_NEAR(cells[std::size_t((i * part.size[1] + j) * part.size[2] + k)],
-                      expected[std::size_t(((i + 7) * whole.size[1] + j + 9) * whole.size[2] + k + int(part.begin[2]))], 2e-6);
+                      expected[std::size_t(((i + 7) * whole.size[1] + j + 9) * whole.size[2] + k + int(part.begin[2]))],
+                      2e-6);
   }
 }
 

@@ -54,12 +54,12 @@ TEST(Surface, CountsWhatIsWrongAndRenumbersNothing)
 {
   TriangleMesh mesh = icosphere(2);
   const std::size_t n = mesh.positions.size(), m = mesh.triangles.size();
-  mesh.positions.push_back({0.1, 0.2, 0.3});                          // unreferenced
-  mesh.positions.push_back({std::nan(""), 0, 0});                     // not finite
-  mesh.triangles.push_back(mesh.triangles[7]);                        // duplicate
+  mesh.positions.push_back({0.1, 0.2, 0.3});                                                     // unreferenced
+  mesh.positions.push_back({std::nan(""), 0, 0});                                                // not finite
+  mesh.triangles.push_back(mesh.triangles[7]);                                                   // duplicate
   mesh.triangles.push_back({mesh.triangles[3][1], mesh.triangles[3][2], mesh.triangles[3][0]});  // rotated duplicate
-  mesh.triangles.push_back({4, 4, 5});                                // repeated index
-  mesh.triangles.push_back({0, 1, int(n) + 1});                       // not finite
+  mesh.triangles.push_back({4, 4, 5});                                                           // repeated index
+  mesh.triangles.push_back({0, 1, int(n) + 1});                                                  // not finite
   const Surface surface(mesh);
   EXPECT_EQ(surface.vertex_count(), n + 2);
   EXPECT_EQ(surface.triangles().size(), m);
@@ -101,7 +101,8 @@ TEST(Surface, DropsRepetitionsOfAClosedSurfaceAndKeepsThoseThatCloseIt)
   for (std::size_t i = 0; i < m; ++i) twice.triangles.push_back(twice.triangles[i]);
   EXPECT_EQ(Surface(twice).triangles().size(), m);
 
-  // Two tetrahedra that overlap on the base (0, 2, 1), which is there twice: without one of them its edges are unbalanced.
+  // Two tetrahedra that overlap on the base (0, 2, 1), which is there twice: without one of them its edges are
+  // unbalanced.
   TriangleMesh shared{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {}};
   for (const int apex : {3, 4}) {
     shared.triangles.push_back({0, 2, 1});
@@ -129,5 +130,6 @@ TEST(Surface, RefusesFacesTooFarApartForACoordinate)
 {
   const TriangleMesh near{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   EXPECT_EQ(refusal(test_support::joined(near, test_support::translated(near, {1e9, 0, 0}))), "accepted");
-  EXPECT_NE(refusal(test_support::joined(near, test_support::translated(near, {1e13, 0, 0}))).find("far apart"), std::string::npos);
+  EXPECT_NE(refusal(test_support::joined(near, test_support::translated(near, {1e13, 0, 0}))).find("far apart"),
+            std::string::npos);
 }

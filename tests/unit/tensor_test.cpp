@@ -55,9 +55,7 @@ TEST(CurvatureTensor, RecoversParaboloidsOfEverySign)
     const PrincipalCurvatures p = principal_curvatures(curvature_tensor(paraboloid_moments(n, u, ku, kv, 1), 1));
     EXPECT_NEAR(p.kappa_max, std::max(ku, kv), 1e-12);
     EXPECT_NEAR(p.kappa_min, std::min(ku, kv), 1e-12);
-    if (ku > kv) {
-      EXPECT_NEAR(std::abs(dot(p.dir_max, u)), 1, 1e-12);
-    }
+    if (ku > kv) { EXPECT_NEAR(std::abs(dot(p.dir_max, u)), 1, 1e-12); }
     EXPECT_NEAR(norm(p.dir_max), 1, 1e-14);
     EXPECT_NEAR(norm(p.dir_min), 1, 1e-14);
     EXPECT_NEAR(dot(p.dir_max, p.dir_min), 0, 1e-14);

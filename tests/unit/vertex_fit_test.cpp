@@ -78,7 +78,8 @@ TEST(VertexFit, AnyRoughNormalGivesTheSameCurvatureOnASmoothSurface)
 TEST(VertexFit, ResidualIsTheNoiseAndVariancesAreThoseOfTheFit)
 {
   const double sigma = 0.02;
-  const Surface surface(graph(40, [](double, double) { return 0.0; }, sigma));
+  const Surface surface(graph(
+      40, [](double, double) { return 0.0; }, sigma));
   VertexFitter fitter(surface);
   double residual = 0, squares = 0, variance = 0, count = 0;
   for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
@@ -111,7 +112,8 @@ TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)
     EXPECT_LT(fits[2].mean_variance, fits[1].mean_variance);
   }
   // On the boundary half of the disc is left, and the fit less sure.
-  const VertexFit whole = discs(fitter, centre_of(surface), radii)[2], half = discs(fitter, centre_of(surface) + 12, radii)[2];
+  const VertexFit whole = discs(fitter, centre_of(surface), radii)[2],
+                  half = discs(fitter, centre_of(surface) + 12, radii)[2];
   EXPECT_GT(half.mean_variance, 3 * whole.mean_variance);
   EXPECT_LT(whole.lean, 0.05);
   EXPECT_NEAR(half.lean, 0.42, 0.05);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Before the first stage: a mesh in an order that its shape alone decides. In: the caller's mesh. Out: the same in another
-// order, and the way back.
+// Before the first stage: a mesh in an order that its shape alone decides. In: the caller's mesh. Out: the same in
+// another order, and the way back.
 #include "integral_invariant/canonical_order.h"
 
 #include <algorithm>
@@ -57,8 +57,8 @@ std::vector<std::uint32_t> vertex_order(const TriangleMesh& mesh)
   return order;
 }
 
-/// Of triangles with the same first vertex, which comes first; the same for both when they are turned over, so that a mesh
-/// that is inside out has the order of its right side.
+/// Of triangles with the same first vertex, which comes first; the same for both when they are turned over, so that a
+/// mesh that is inside out has the order of its right side.
 bool precedes_turned(const Triangle& a, const Triangle& b)
 {
   const std::int32_t low_a = std::min(a[1], a[2]), low_b = std::min(b[1], b[2]);

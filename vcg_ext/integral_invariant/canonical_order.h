@@ -15,12 +15,11 @@ struct CanonicalMesh {
   std::vector<std::uint32_t> caller;  ///< vertex i of `mesh` is the caller's vertex caller[i]
 };
 
-/// Vertices along a Hilbert curve through the box of the surface, within a cell of it by their coordinates; those that no
-/// triangle of three different, finite vertices uses come last. Triangles begin with their smallest vertex, and are sorted.
-/// Vertices at the same place, and those that no triangle uses, keep the order in which the caller has them: nothing else
-/// tells them apart. Nothing is left out or merged.
-/// Cost: O(n log n + m), and 52 bytes a vertex.
-/// \throw InputError where an index is out of range
+/// Vertices along a Hilbert curve through the box of the surface, within a cell of it by their coordinates; those that
+/// no triangle of three different, finite vertices uses come last. Triangles begin with their smallest vertex, and are
+/// sorted. Vertices at the same place, and those that no triangle uses, keep the order in which the caller has them:
+/// nothing else tells them apart. Nothing is left out or merged. Cost: O(n log n + m), and 52 bytes a vertex. \throw
+/// InputError where an index is out of range
 CanonicalMesh in_canonical_order(const TriangleMesh& mesh);
 
 }  // namespace integral_invariant

@@ -11,8 +11,8 @@ namespace integral_invariant {
 
 /// An undirected edge and how its triangles pass it.
 struct Edge {
-  std::uint32_t low, high;          ///< vertices
-  std::int32_t forward, backward;   ///< passes from low to high, from high to low
+  std::uint32_t low, high;         ///< vertices
+  std::int32_t forward, backward;  ///< passes from low to high, from high to low
 };
 
 /// Every edge once, ordered by (low, high). `vertices`: their number. Cost: O(m log valence), 48 bytes a triangle.

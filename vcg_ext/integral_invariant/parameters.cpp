@@ -89,8 +89,9 @@ void validate(const Parameters& p)
   require_choice("exactness", p.exactness, Exactness::exact);
   require_whole("threads", p.threads, 0, limits::max_threads);
   if (p.radius_choice == RadiusChoice::statistical && p.estimator == Estimator::yang06)
-    throw ParameterError("A statistical radius weighs the scales by their noise, which the estimator of [Yang06] does not "
-                         "allow: set 'estimator' to 1 (offset-free) or 2 (bias removed).");
+    throw ParameterError(
+        "A statistical radius weighs the scales by their noise, which the estimator of [Yang06] does not "
+        "allow: set 'estimator' to 1 (offset-free) or 2 (bias removed).");
   if (p.radius_choice == RadiusChoice::statistical && p.scales < 3)
     throw ParameterError("A statistical radius compares scales: set 'scales' to 3 or more.");
 }

@@ -48,35 +48,35 @@ inline constexpr double min_cells_per_radius = 1, max_cells_per_radius = 64;
 inline constexpr int max_threads = 1024;
 }  // namespace limits
 
-/// Everything that a run can be asked. The defaults are what measures best over all (docs/accuracy.md); the published method
-/// is published_method(). Lengths are in the unit of the mesh; 0 means automatic where it says so.
+/// Everything that a run can be asked. The defaults are what measures best over all (docs/accuracy.md); the published
+/// method is published_method(). Lengths are in the unit of the mesh; 0 means automatic where it says so.
 struct Parameters {
   RadiusChoice radius_choice = RadiusChoice::statistical;
   Estimator estimator = Estimator::bias_free;
-  double noise = 0;                                ///< standard deviation of the surface's noise, L; 0: estimated
+  double noise = 0;  ///< standard deviation of the surface's noise, L; 0: estimated
   EngineKind engine = EngineKind::surface_integral;
 
-  int scales = 7;                                  ///< number of radii n, 1 to 32
-  ScaleSpacing spacing = ScaleSpacing::linear;     ///< statistical: always geometric
-  double r_min = 0;                                ///< smallest radius; 0: the average edge length ē (statistical: 1.5 ē)
-  double r_max = 0;                                ///< largest radius; 0: scales · ē, or scales · r_min if larger (statistical: 16 ē)
-  double radius = 0;                               ///< the fixed radius; 0: the middle of r_min and r_max
+  int scales = 7;                               ///< number of radii n, 1 to 32
+  ScaleSpacing spacing = ScaleSpacing::linear;  ///< statistical: always geometric
+  double r_min = 0;   ///< smallest radius; 0: the average edge length ē (statistical: 1.5 ē)
+  double r_max = 0;   ///< largest radius; 0: scales · ē, or scales · r_min if larger (statistical: 16 ē)
+  double radius = 0;  ///< the fixed radius; 0: the middle of r_min and r_max
 
-  double alpha = 0.9;                              ///< wanted radius · max|κ| [Lai09 eq. 7], in (0, 10]
-  double step = 0.1;                               ///< λ of r ← r + λ(r′ − r) [Lai09 eq. 8], in (0, 1]
+  double alpha = 0.9;  ///< wanted radius · max|κ| [Lai09 eq. 7], in (0, 10]
+  double step = 0.1;   ///< λ of r ← r + λ(r′ − r) [Lai09 eq. 8], in (0, 1]
   StartRadius start_radius = StartRadius::median;
-  int max_iterations = 200;                        ///< 0 keeps the start radius
-  double tolerance = 1e-3;                         ///< relative change of the radius at which a vertex is done, in (0, 0.5]
+  int max_iterations = 200;  ///< 0 keeps the start radius
+  double tolerance = 1e-3;   ///< relative change of the radius at which a vertex is done, in (0, 0.5]
 
-  bool smooth_radius = true;                       ///< bilateral smoothing of the radius [Lai09 eq. 9]
+  bool smooth_radius = true;  ///< bilateral smoothing of the radius [Lai09 eq. 9]
   int smoothing_passes = 1;
 
-  double fft_cells_per_radius = 6;                 ///< the grid step of a scale is its radius over this, in [1, 64]
-  Exactness exactness = Exactness::balanced;       ///< surface engine only
-  bool same_sheet = false;                         ///< surface engine only: the ball's connected piece of surface alone
+  double fft_cells_per_radius = 6;            ///< the grid step of a scale is its radius over this, in [1, 64]
+  Exactness exactness = Exactness::balanced;  ///< surface engine only
+  bool same_sheet = false;                    ///< surface engine only: the ball's connected piece of surface alone
 
-  std::size_t memory_limit_mb = 0;                 ///< 0: half of the machine's memory
-  int threads = 0;                                 ///< 0: all processors
+  std::size_t memory_limit_mb = 0;  ///< 0: half of the machine's memory
+  int threads = 0;                  ///< 0: all processors
 };
 
 /// The settings of [Lai09]: its estimator, and a radius adapted by its iteration.

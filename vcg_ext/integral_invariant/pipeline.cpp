@@ -67,8 +67,9 @@ void remove_bias(OffsetFreeField& field, Execution& execution)
   const std::vector<double>& radii = field.tensors.radii();
   for (std::size_t v = 0; v < field.tensors.vertex_count(); ++v)
     for (std::size_t i = 0; i < radii.size(); ++i)
-      field.tensors.set(v, int(i), without_own_bias(field.tensors.at_scale(v, int(i)), radii[i],
-                                                    field.offsets[v * radii.size() + i], 0));
+      field.tensors.set(
+          v, int(i),
+          without_own_bias(field.tensors.at_scale(v, int(i)), radii[i], field.offsets[v * radii.size() + i], 0));
   extrapolate_to_zero_radius(field.tensors, execution);
 }
 
@@ -111,8 +112,8 @@ void write_vertex(const CurvatureTensor& tensor, double radius, double unit, std
 }
 
 /// Steps 2 to 5: a radius for every vertex, and curvatures and directions there. `caller`: see CanonicalMesh.
-void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint32_t>& caller, const TensorField& tensors,
-                             const Parameters& p, Result& result, Execution& execution)
+void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint32_t>& caller,
+                             const TensorField& tensors, const Parameters& p, Result& result, Execution& execution)
 {
   std::vector<double> radii(surface.vertex_count(), tensors.radii().front());
   result.converged = radii.size();
@@ -172,8 +173,9 @@ void require_memory_for_arrays(std::size_t vertices, std::size_t scales, std::si
   constexpr std::size_t result_bytes = 4 * sizeof(double) + 3 * sizeof(Vec3) + sizeof(float);
   constexpr std::size_t radius_bytes = 3 * sizeof(double) + sizeof(VertexFit) + sizeof(std::uint32_t);
   const double bytes = double(vertices) * double(TensorField::bytes_per_vertex(scales) + result_bytes + radius_bytes);
-  require_memory(bytes, limit_mb, "Curvature at " + std::to_string(scales) + " scales of " + std::to_string(vertices) +
-                 " vertices", "Reduce scales or the number of vertices");
+  require_memory(bytes, limit_mb,
+                 "Curvature at " + std::to_string(scales) + " scales of " + std::to_string(vertices) + " vertices",
+                 "Reduce scales or the number of vertices");
 }
 
 }  // namespace

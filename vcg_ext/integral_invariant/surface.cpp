@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks a mesh and brings it to normalised coordinates. In: positions and triangles as the caller has them. Out: the
-// triangles that bound the solid, neighbours, and what was found. Cost: O((n + m) log valence), about 0.2 µs a triangle.
+// triangles that bound the solid, neighbours, and what was found. Cost: O((n + m) log valence), about 0.2 µs a
+// triangle.
 #include "integral_invariant/surface.h"
 
 #include <algorithm>
@@ -72,8 +73,9 @@ void Surface::take_triangles(const TriangleMesh& mesh)
   report_.vertices = mesh.positions.size();
   report_.triangles = mesh.triangles.size();
   if (mesh.triangles.empty())
-    throw InputError("The mesh has no faces. Curvature is measured on a surface: reconstruct one from the points first, "
-                     "for example with \"Surface Reconstruction: Screened Poisson\".");
+    throw InputError(
+        "The mesh has no faces. Curvature is measured on a surface: reconstruct one from the points first, "
+        "for example with \"Surface Reconstruction: Screened Poisson\".");
   for (const Vec3& p : mesh.positions) report_.nonfinite_vertices += !is_finite(p);
 
   require_valid_indices(mesh);
@@ -117,8 +119,9 @@ void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges
   // Under it, a coordinate has less than three digits within an edge.
   constexpr double smallest_edge = 1e-12;
   if (!(average >= smallest_edge))
-    throw InputError("The faces of the mesh are too small for how far apart they are: a coordinate cannot hold both. Remove "
-                     "the faces that lie far away, or measure the parts one by one.");
+    throw InputError(
+        "The faces of the mesh are too small for how far apart they are: a coordinate cannot hold both. Remove "
+        "the faces that lie far away, or measure the parts one by one.");
   for (Vec3& p : positions_) p *= 1 / average;
   unit_ = size * average;
   diagonal_ = norm({extent.x / size, extent.y / size, extent.z / size}) / average;

@@ -15,13 +15,13 @@ struct Edge;
 struct SurfaceReport {
   std::size_t vertices = 0, triangles = 0;
   std::size_t unreferenced_vertices = 0;
-  std::size_t nonfinite_vertices = 0;      ///< a coordinate is NaN or infinite
-  std::size_t left_out_triangles = 0;      ///< a vertex is used twice or is not finite
-  std::size_t zero_area_triangles = 0;     ///< kept: they may be what closes the surface
-  std::size_t duplicate_triangles = 0;     ///< same three vertices in the same cyclic order as another
-  std::size_t boundary_edges = 0;          ///< edges with a triangle on one side only
-  std::size_t inconsistent_edges = 0;      ///< edges that their triangles do not pass equally often in both directions
-  bool inside_out = false;                 ///< encloses a negative volume: taken as if all triangles were flipped
+  std::size_t nonfinite_vertices = 0;   ///< a coordinate is NaN or infinite
+  std::size_t left_out_triangles = 0;   ///< a vertex is used twice or is not finite
+  std::size_t zero_area_triangles = 0;  ///< kept: they may be what closes the surface
+  std::size_t duplicate_triangles = 0;  ///< same three vertices in the same cyclic order as another
+  std::size_t boundary_edges = 0;       ///< edges with a triangle on one side only
+  std::size_t inconsistent_edges = 0;   ///< edges that their triangles do not pass equally often in both directions
+  bool inside_out = false;              ///< encloses a negative volume: taken as if all triangles were flipped
 };
 
 /// A checked mesh in normalised coordinates: the average edge length is 1 and the bounding box is centred at 0, so that
@@ -40,7 +40,8 @@ class Surface {
   /// Whether a triangle of triangles() uses the vertex.
   bool is_referenced(std::size_t vertex) const { return neighbour_start_[vertex] != neighbour_start_[vertex + 1]; }
 
-  /// Neighbours of v along edges: neighbours()[neighbour_start()[v]] up to neighbour_start()[v + 1], each once, increasing.
+  /// Neighbours of v along edges: neighbours()[neighbour_start()[v]] up to neighbour_start()[v + 1], each once,
+  /// increasing.
   const std::vector<std::uint32_t>& neighbour_start() const { return neighbour_start_; }
   const std::vector<std::uint32_t>& neighbours() const { return neighbours_; }
 

@@ -14,8 +14,8 @@ using Triangle = std::array<std::int32_t, 3>;
 
 /// A triangle mesh as the caller has it: n vertices, m triangles, oriented outward.
 struct TriangleMesh {
-  std::vector<Vec3> positions;       ///< n, in the caller's unit
-  std::vector<Triangle> triangles;   ///< m, indices into positions
+  std::vector<Vec3> positions;      ///< n, in the caller's unit
+  std::vector<Triangle> triangles;  ///< m, indices into positions
 };
 
 /// \throw InputError naming the first index of a triangle that is no vertex of the mesh

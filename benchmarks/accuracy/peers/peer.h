@@ -24,7 +24,8 @@ class Peer {
 
 using PeerList = std::vector<std::unique_ptr<Peer>>;
 
-/// VCG's estimators of principal directions that MeshLab offers: [Taubin], normal cycle, fit of a quadric to the 1-ring.
+/// VCG's estimators of principal directions that MeshLab offers: [Taubin], normal cycle, fit of a quadric to the
+/// 1-ring.
 void add_vcg_ring_peers(const TriangleMesh& mesh, PeerList& peers);
 /// VCG's fit of a quadric to the vertices within a radius (MeshLab: scale dependent quadric fitting).
 void add_vcg_quadric_peer(const TriangleMesh& mesh, PeerList& peers);

@@ -51,6 +51,9 @@ class VcgQuadric : public Peer {
 
 }  // namespace
 
-void add_vcg_quadric_peer(const TriangleMesh& mesh, PeerList& peers) { peers.push_back(std::make_unique<VcgQuadric>(mesh)); }
+void add_vcg_quadric_peer(const TriangleMesh& mesh, PeerList& peers)
+{
+  peers.push_back(std::make_unique<VcgQuadric>(mesh));
+}
 
 }  // namespace accuracy

@@ -44,7 +44,8 @@ class VcgRings : public Peer {
 
 void add_vcg_ring_peers(const TriangleMesh& mesh, PeerList& peers)
 {
-  peers.push_back(std::make_unique<VcgRings>(mesh, "vcg_taubin", vcg::tri::UpdateCurvature<VcgMesh>::PrincipalDirections, 1));
+  peers.push_back(
+      std::make_unique<VcgRings>(mesh, "vcg_taubin", vcg::tri::UpdateCurvature<VcgMesh>::PrincipalDirections, 1));
   peers.push_back(std::make_unique<VcgRings>(mesh, "vcg_normal_cycle",
                                              vcg::tri::UpdateCurvature<VcgMesh>::PrincipalDirectionsNormalCycle, 1));
   peers.push_back(std::make_unique<VcgRings>(mesh, "vcg_quadric_1ring",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 2: the inner loops of polynomial fits to few places. In: places in columns, a factored system. Out: sums. Cost: a
-// microsecond a fit of degree 4.
+// Stage 2: the inner loops of polynomial fits to few places. In: places in columns, a factored system. Out: sums. Cost:
+// a microsecond a fit of degree 4.
 #include "integral_invariant/curvature/fit_kernels.h"
 
 #include <algorithm>
@@ -56,8 +56,8 @@ void sum_normal_equations(const HeightPlaces& places, int count, HeightMatrix& a
 }
 
 II_VECTOR_CLONES
-FitQuality fit_quality(const HeightPlaces& places, int count, const HeightMatrix& factor, const Coefficients& whitened_heights,
-                       const std::array<Coefficients, 5>& whitened_parts)
+FitQuality fit_quality(const HeightPlaces& places, int count, const HeightMatrix& factor,
+                       const Coefficients& whitened_heights, const std::array<Coefficients, 5>& whitened_parts)
 {
   constexpr std::size_t most = coefficient_count(largest_degree), parts = 5;
   double squares[lanes] = {}, freedom[lanes] = {}, variance[parts][lanes] = {};

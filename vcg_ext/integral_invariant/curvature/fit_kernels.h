@@ -39,7 +39,7 @@ struct FitQuality {
 };
 
 /// `whitened` are L⁻¹ AᵀW h and L⁻¹ part for the factor L, as HeightSystem leaves it.
-FitQuality fit_quality(const HeightPlaces& places, int count, const HeightMatrix& factor, const Coefficients& whitened_heights,
-                       const std::array<Coefficients, 5>& whitened_parts);
+FitQuality fit_quality(const HeightPlaces& places, int count, const HeightMatrix& factor,
+                       const Coefficients& whitened_heights, const std::array<Coefficients, 5>& whitened_parts);
 
 }  // namespace integral_invariant

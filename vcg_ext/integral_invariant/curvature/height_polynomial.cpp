@@ -37,8 +37,8 @@ void HeightSystem::add(const Coefficients& m, double height)
 
 int HeightSystem::factor(int degree)
 {
-  // What is left of a column when the others have explained it: with less, the places hardly tell it. An even disc leaves
-  // 0.05 of x⁴ and more of the others.
+  // What is left of a column when the others have explained it: with less, the places hardly tell it. An even disc
+  // leaves 0.05 of x⁴ and more of the others.
   constexpr double least_share = 1e-3;
   const int n = coefficient_count(degree);
   int rank = 0;
@@ -82,7 +82,8 @@ Coefficients HeightSystem::solution(int degree) const
   return c;
 }
 
-FitQuality HeightSystem::quality(const HeightPlaces& places, const std::array<const Coefficients*, 5>& parts, int degree) const
+FitQuality HeightSystem::quality(const HeightPlaces& places, const std::array<const Coefficients*, 5>& parts,
+                                 int degree) const
 {
   const int n = coefficient_count(degree);
   Coefficients heights = b_;

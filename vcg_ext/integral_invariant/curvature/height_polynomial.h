@@ -32,8 +32,8 @@ class HeightSystem {
   /// (AᵀWA)⁻¹ b, and (AᵀWA)⁻¹ AᵀW h for the heights. \pre factor() returned at least `degree`
   void solve(Coefficients& b, int degree) const;
   Coefficients solution(int degree) const;
-  /// Of the places that the system was made of, for a fit of the `degree` that factor() returned or less; `parts` are what
-  /// multiplies the coefficients in quantities whose variance is asked for.
+  /// Of the places that the system was made of, for a fit of the `degree` that factor() returned or less; `parts` are
+  /// what multiplies the coefficients in quantities whose variance is asked for.
   FitQuality quality(const HeightPlaces& places, const std::array<const Coefficients*, 5>& parts, int degree) const;
   /// Σ w h² of the heights h that `solution` gives, from the sums: what it explains of theirs. Call on a system before
   /// factor().
@@ -45,7 +45,8 @@ class HeightSystem {
  private:
   void forward(Coefficients& x, int count) const;
 
-  /// Lower triangle; then its Cholesky factor there and above the diagonal, with the inverse of what is on the diagonal.
+  /// Lower triangle; then its Cholesky factor there and above the diagonal, with the inverse of what is on the
+  /// diagonal.
   HeightMatrix a_{};
   Coefficients b_{};
 };

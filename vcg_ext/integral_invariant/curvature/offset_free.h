@@ -20,15 +20,15 @@ struct OffsetFreeMeasure {
 OffsetFreeMeasure offset_free_measure(const BallMoments& moments, double radius);
 
 /// Variance of what offset_free_measure() finds under independent noise along the normal: these coefficients times the
-/// noise density s² = σ² · (area a vertex) and a power of 1/r. The discs of the scales are nested and each fit is the best
-/// on its disc, so that the difference between two scales is independent of the larger one: its variance is the
+/// noise density s² = σ² · (area a vertex) and a power of 1/r. The discs of the scales are nested and each fit is the
+/// best on its disc, so that the difference between two scales is independent of the larger one: its variance is the
 /// difference of theirs.
 namespace disc_variance {
 inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double mean_curvature = 48 / pi;   ///< of H: × s²/r⁶
-inline constexpr double deviator = 24 / pi;         ///< of either component of K − H I: × s²/r⁶
-inline constexpr double normal = 4 / pi;            ///< of either tangential component of the normal: × s²/r⁴
-inline constexpr double height = 4 / pi;            ///< of the height of the fit over the centre: × s²/r²
+inline constexpr double mean_curvature = 48 / pi;  ///< of H: × s²/r⁶
+inline constexpr double deviator = 24 / pi;        ///< of either component of K − H I: × s²/r⁶
+inline constexpr double normal = 4 / pi;           ///< of either tangential component of the normal: × s²/r⁴
+inline constexpr double height = 4 / pi;           ///< of the height of the fit over the centre: × s²/r²
 }  // namespace disc_variance
 
 }  // namespace integral_invariant

@@ -25,11 +25,11 @@ struct TangentialCovariance {
 };
 TangentialCovariance tangential_covariance(const BallMoments& moments, double radius);
 
-/// K = 6/(π r⁶) (tr(J_T) I − 4 J_T) + 8/(5r) I on the tangent plane [Yang06], J the covariance of the ball's solid about
-/// its barycentre and J_T its tangential part. The normal is the eigenvector of J best aligned with −m.
+/// K = 6/(π r⁶) (tr(J_T) I − 4 J_T) + 8/(5r) I on the tangent plane [Yang06], J the covariance of the ball's solid
+/// about its barycentre and J_T its tangential part. The normal is the eigenvector of J best aligned with −m.
 ///
-/// A ball without solid or without direction (m = 0: all or nothing of the ball is solid) has K = 0, an arbitrary normal
-/// and confidence 0.
+/// A ball without solid or without direction (m = 0: all or nothing of the ball is solid) has K = 0, an arbitrary
+/// normal and confidence 0.
 CurvatureTensor curvature_tensor(const BallMoments& moments, double radius);
 
 /// Eigenvalues and directions of a tensor on the plane orthogonal to its normal.

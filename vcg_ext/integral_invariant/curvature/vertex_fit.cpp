@@ -49,8 +49,8 @@ void VertexFitter::start_at(std::size_t v)
 }
 
 /// The vertex, its neighbours and their neighbours: on a surface with creases more is not better. Further rings where
-/// these are few, as at a boundary: half a disc of three rows does not tell a cubic. Not by way of the hubs of large fans,
-/// whose neighbours are mostly far away: their number squared would be the work.
+/// these are few, as at a boundary: half a disc of three rows does not tell a cubic. Not by way of the hubs of large
+/// fans, whose neighbours are mostly far away: their number squared would be the work.
 void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
 {
   constexpr int rings = 2, most_rings = 4;
@@ -152,7 +152,8 @@ VertexFit VertexFitter::grow_disc(double radius)
   };
   const auto is_full = [&] { return disc_count_ > most_count; };
   if (is_full()) return {};
-  const auto first_within = std::partition(beyond_.begin(), beyond_.end(), [&](const Place& p) { return !is_within(p); });
+  const auto first_within =
+      std::partition(beyond_.begin(), beyond_.end(), [&](const Place& p) { return !is_within(p); });
   for (auto p = first_within; p != beyond_.end(); ++p) take_into_disc(*p);
   beyond_.erase(first_within, beyond_.end());
   for (std::size_t next = 0; next < queue_.size() && !is_full(); ++next) {

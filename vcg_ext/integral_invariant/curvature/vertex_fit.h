@@ -20,9 +20,9 @@ namespace integral_invariant {
 struct VertexFit {
   CurvatureTensor tensor;  ///< confidence 1, or 0 where there were too few vertices
   double mean_variance = 0, deviator_variance = 0, normal_variance = 0;
-  double reach = 0;        ///< distance of the farthest vertex that counted, L
-  double residual = -1;    ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
-  double lean = 0;         ///< distance of a disc's mean vertex from its centre, over its radius: 0.42 for a half disc
+  double reach = 0;      ///< distance of the farthest vertex that counted, L
+  double residual = -1;  ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
+  double lean = 0;       ///< distance of a disc's mean vertex from its centre, over its radius: 0.42 for a half disc
 };
 
 /// Fits around one vertex after the other; holds scratch memory, so one a thread. Neighbours are found along the edges:
@@ -39,9 +39,9 @@ class VertexFitter {
 
   /// Begins a disc about v, across `normal`, which grow_disc() then lets grow.
   void start_disc(std::size_t v, const Vec3& normal);
-  /// Quadric through all vertices that edges lead to within `radius` in the tangent plane and twice that in height; not under
-  /// the radius before. None where these are more than 4096, and then for all larger radii. Over a whole disc the same as offset_free_measure(), to first order.
-  /// Cost O(r²) in all, about 30 µs up to r = 16 ē.
+  /// Quadric through all vertices that edges lead to within `radius` in the tangent plane and twice that in height; not
+  /// under the radius before. None where these are more than 4096, and then for all larger radii. Over a whole disc the
+  /// same as offset_free_measure(), to first order. Cost O(r²) in all, about 30 µs up to r = 16 ē.
   VertexFit grow_disc(double radius);
 
  private:
@@ -99,8 +99,8 @@ class VertexFitters {
 /// which depend on the patch's rim alone, not on the noise inside, and know no other sheet. Cost O(n).
 std::vector<Vec3> patch_normals(const Surface& surface);
 
-/// Normal of the ball of the fourth scale (not the prey of noise), or of the largest under it in which the surface is nearly
-/// a plane; `patch`, where that ball turns away from it because it sees another sheet or a crease.
+/// Normal of the ball of the fourth scale (not the prey of noise), or of the largest under it in which the surface is
+/// nearly a plane; `patch`, where that ball turns away from it because it sees another sheet or a crease.
 Vec3 rough_normal(const TensorField& tensors, std::size_t v, const Vec3& patch);
 
 /// VertexFitter::nearest() at all vertices, about their rough normals.

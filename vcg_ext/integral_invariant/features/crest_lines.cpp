@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Crest lines. In: curvature field. Out: polylines over the edges of the mesh.
-// Definition: extrema of a principal curvature along its own direction, as in the literature on crest lines; the field is
-// the integral invariants' instead of one fitted to derivatives.
+// Definition: extrema of a principal curvature along its own direction, as in the literature on crest lines; the field
+// is the integral invariants' instead of one fitted to derivatives.
 #include "integral_invariant/features/crest_lines.h"
 
 #include <algorithm>
@@ -22,10 +22,10 @@ namespace {
 /// One kind of line as that of a maximum of `kappa` along `direction`.
 struct Profile {
   FeatureKind kind;
-  std::vector<double> kappa;        ///< κ_max, or −κ_min for valleys
-  std::vector<double> rival;        ///< absolute value of the other curvature
+  std::vector<double> kappa;  ///< κ_max, or −κ_min for valleys
+  std::vector<double> rival;  ///< absolute value of the other curvature
   const std::vector<Vec3>* direction;
-  std::vector<double> derivative;   ///< ∂κ/∂direction at the vertices
+  std::vector<double> derivative;  ///< ∂κ/∂direction at the vertices
 };
 
 void differentiate(const Surface& surface, Profile& profile)
@@ -35,7 +35,8 @@ void differentiate(const Surface& surface, Profile& profile)
   std::vector<double> area(n, 0);
   for (const Triangle& t : surface.triangles()) {
     const TriangleFrame frame(t, surface.positions());
-    const Vec3 g = frame.gradient_of(profile.kappa[t[0]], profile.kappa[t[1]], profile.kappa[t[2]]) * frame.doubled_area;
+    const Vec3 g =
+        frame.gradient_of(profile.kappa[t[0]], profile.kappa[t[1]], profile.kappa[t[2]]) * frame.doubled_area;
     for (const std::int32_t v : t) {
       gradient[v] += g;
       area[v] += frame.doubled_area;
@@ -58,8 +59,9 @@ Profile make_profile(const Surface& surface, const CurvatureField& field, Featur
   return profile;
 }
 
-/// The piece of the line in triangle `t`, if any. Each side asks for a sign change with the directions of its own two ends
-/// signed alike, so both triangles of an edge agree; where the three cannot be signed alike (an umbilic) there is none.
+/// The piece of the line in triangle `t`, if any. Each side asks for a sign change with the directions of its own two
+/// ends signed alike, so both triangles of an edge agree; where the three cannot be signed alike (an umbilic) there is
+/// none.
 CrestSegment segment_in(const Triangle& t, const std::vector<Vec3>& positions, const Profile& profile)
 {
   const std::vector<Vec3>& d = *profile.direction;
@@ -100,11 +102,13 @@ SurfacePoint crossing(const Triangle& t, int side, const Profile& profile)
   return edge_point(a, b, ea + eb > 0 ? ea / (ea + eb) : 0.5);
 }
 
-/// κ at the distance `way` from the middle of triangle `t`, to both sides across the line; the middle where there is no way.
+/// κ at the distance `way` from the middle of triangle `t`, to both sides across the line; the middle where there is no
+/// way.
 double mean_beside(const SurfaceWalk& walk, std::int32_t t, const SurfacePoint& at, const Profile& profile, double way)
 {
   const double here = interpolate(profile.kappa, at);
-  const Vec3 across = walk.frame(t).tangential(aligned_direction(at, *profile.direction, (*profile.direction)[at.vertices[0]]));
+  const Vec3 across =
+      walk.frame(t).tangential(aligned_direction(at, *profile.direction, (*profile.direction)[at.vertices[0]]));
   double sum = 0;
   for (const double side : {1.0, -1.0}) {
     const WalkState end = walk.straight({t, {1.0 / 3, 1.0 / 3, 1.0 / 3}, normalized(across) * side}, way);
@@ -146,7 +150,8 @@ CrestLine measured_line(const Surface& surface, const SurfaceWalk& walk, const P
   for (const CrestStep& step : chain.steps)
     line.points.push_back(crossing(surface.triangles()[step.triangle], step.enter, profile));
   if (!chain.closed)
-    line.points.push_back(crossing(surface.triangles()[chain.steps.back().triangle], chain.steps.back().leave, profile));
+    line.points.push_back(
+        crossing(surface.triangles()[chain.steps.back().triangle], chain.steps.back().leave, profile));
   double length = 0;
   std::vector<std::pair<double, double>> sharpness;  // and for how long
   for (std::size_t i = 0; i < chain.steps.size(); ++i) {
@@ -167,9 +172,12 @@ void add_lines(const Surface& surface, const Topology& topology, const Profile& 
 {
   const std::vector<Triangle>& triangles = surface.triangles();
   std::vector<CrestSegment> segments(triangles.size());
-  parallel_for(triangles.size(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t t = begin; t < end; ++t) segments[t] = segment_in(triangles[t], surface.positions(), profile);
-  }, from, to);
+  parallel_for(
+      triangles.size(), 2048, execution,
+      [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t t = begin; t < end; ++t) segments[t] = segment_in(triangles[t], surface.positions(), profile);
+      },
+      from, to);
   const SurfaceWalk walk(surface, topology);
   const double minimum_length = p.minimum_length > 0 ? p.minimum_length : 5 * surface.unit();
   for (const CrestChain& chain : link_segments(topology, segments)) {
@@ -204,7 +212,8 @@ std::vector<CrestLine> find_crest_lines(const Surface& surface, const CurvatureF
     }
     from = to;
   }
-  std::stable_sort(lines.begin(), lines.end(), [](const CrestLine& a, const CrestLine& b) { return a.strength > b.strength; });
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const CrestLine& a, const CrestLine& b) { return a.strength > b.strength; });
   return lines;
 }
 

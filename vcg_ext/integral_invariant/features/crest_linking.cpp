@@ -48,9 +48,12 @@ class Linker {
       if (next < 0 || used_[next] || !segments_[next].exists) return steps;
       const std::int32_t edge = topology_.edge[step.triangle][step.leave];
       const auto& side = segments_[next].side;
-      if (topology_.edge[next][side[0]] == edge) step = {next, side[0], side[1]};
-      else if (topology_.edge[next][side[1]] == edge) step = {next, side[1], side[0]};
-      else return steps;
+      if (topology_.edge[next][side[0]] == edge)
+        step = {next, side[0], side[1]};
+      else if (topology_.edge[next][side[1]] == edge)
+        step = {next, side[1], side[0]};
+      else
+        return steps;
     }
   }
 

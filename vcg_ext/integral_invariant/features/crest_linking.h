@@ -13,14 +13,14 @@ namespace integral_invariant {
 /// The piece of the curve "derivative = 0" in one triangle.
 struct CrestSegment {
   bool exists = false;
-  bool extremum = false;             ///< a maximum, and of the larger curvature: what a crest line is made of
-  std::array<int, 2> side{};         ///< the sides that it joins
-  double curvature = 0;              ///< κ of its kind, 1/ē
+  bool extremum = false;      ///< a maximum, and of the larger curvature: what a crest line is made of
+  std::array<int, 2> side{};  ///< the sides that it joins
+  double curvature = 0;       ///< κ of its kind, 1/ē
 };
 
 struct CrestStep {
   std::int32_t triangle;
-  int enter, leave;                  ///< sides
+  int enter, leave;  ///< sides
 };
 
 struct CrestChain {
@@ -28,8 +28,8 @@ struct CrestChain {
   bool closed = false;
 };
 
-/// Joins the segments across shared edges, and cuts out the parts that are extrema. Up to three segments in a row that are
-/// none are kept between two that are: a line that runs along an edge of the mesh flickers.
+/// Joins the segments across shared edges, and cuts out the parts that are extrema. Up to three segments in a row that
+/// are none are kept between two that are: a line that runs along an edge of the mesh flickers.
 std::vector<CrestChain> link_segments(const Topology& topology, const std::vector<CrestSegment>& segments);
 
 }  // namespace integral_invariant

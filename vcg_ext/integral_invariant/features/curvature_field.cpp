@@ -26,30 +26,33 @@ CurvatureField curvature_field(const Result& result)
   return field;
 }
 
-CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes, Execution& execution,
-                        double to)
+CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes, Execution& execution, double to)
 {
   const auto &start = surface.neighbour_start(), &neighbours = surface.neighbours();
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Symmetric3> tensors = tensors_of(field);
     CurvatureField next = field;
-    parallel_for(field.size(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t v = begin; v < end; ++v) {
-        Symmetric3 tensor = tensors[v];
-        Vec3 normal = field.normal[v];
-        for (std::uint32_t e = start[v]; e < start[v + 1]; ++e) {
-          tensor += tensors[neighbours[e]];
-          normal += field.normal[neighbours[e]];
-        }
-        const double share = 1 / double(1 + start[v + 1] - start[v]);
-        const PrincipalCurvatures k = principal_curvatures({tensor * share, normalized(normal, field.normal[v]), 1});
-        next.kappa_max[v] = k.kappa_max;
-        next.kappa_min[v] = k.kappa_min;
-        next.dir_max[v] = k.dir_max;
-        next.dir_min[v] = k.dir_min;
-        next.normal[v] = normalized(normal, field.normal[v]);
-      }
-    }, to * pass / passes, to * (pass + 1) / passes);
+    parallel_for(
+        field.size(), 2048, execution,
+        [&](std::size_t begin, std::size_t end, int) {
+          for (std::size_t v = begin; v < end; ++v) {
+            Symmetric3 tensor = tensors[v];
+            Vec3 normal = field.normal[v];
+            for (std::uint32_t e = start[v]; e < start[v + 1]; ++e) {
+              tensor += tensors[neighbours[e]];
+              normal += field.normal[neighbours[e]];
+            }
+            const double share = 1 / double(1 + start[v + 1] - start[v]);
+            const PrincipalCurvatures k =
+                principal_curvatures({tensor * share, normalized(normal, field.normal[v]), 1});
+            next.kappa_max[v] = k.kappa_max;
+            next.kappa_min[v] = k.kappa_min;
+            next.dir_max[v] = k.dir_max;
+            next.dir_min[v] = k.dir_min;
+            next.normal[v] = normalized(normal, field.normal[v]);
+          }
+        },
+        to * pass / passes, to * (pass + 1) / passes);
     field = std::move(next);
   }
   return field;

@@ -21,9 +21,9 @@ struct CurvatureField {
 /// The field of a run, in normalised units.
 CurvatureField curvature_field(const Result& result);
 
-/// Averages the curvature tensors over each vertex and its neighbours, `passes` times; as tensors, because directions have
-/// no sign and turn quickly near umbilics. The radius of the balls changes from vertex to vertex and leaves steps of
-/// its own in the field, which a derivative would see. Cost: O(n) a pass. Covers the stage up to the fraction `to`.
+/// Averages the curvature tensors over each vertex and its neighbours, `passes` times; as tensors, because directions
+/// have no sign and turn quickly near umbilics. The radius of the balls changes from vertex to vertex and leaves steps
+/// of its own in the field, which a derivative would see. Cost: O(n) a pass. Covers the stage up to the fraction `to`.
 CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes, Execution& execution, double to = 1);
 
 }  // namespace integral_invariant

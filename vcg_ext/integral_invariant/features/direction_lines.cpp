@@ -18,9 +18,9 @@ namespace integral_invariant {
 
 namespace {
 
-constexpr double automatic_spacing = 3;        ///< ē
-constexpr double automatic_segment = 0.8;      ///< of the spacing
-constexpr double automatic_minimum = 2;        ///< of the spacing
+constexpr double automatic_spacing = 3;    ///< ē
+constexpr double automatic_segment = 0.8;  ///< of the spacing
+constexpr double automatic_minimum = 2;    ///< of the spacing
 /// A seed may be a little nearer than the spacing: space is shorter than the way over a bent surface.
 constexpr double seed_tolerance = 0.85;
 
@@ -35,7 +35,8 @@ void require_lengths(const DirectionParameters& p, double unit)
   const std::pair<const char*, double> lengths[] = {{"spacing", p.spacing}, {"segment_length", p.segment_length}};
   for (const auto& [name, length] : lengths)
     if (length != 0 && !(length / unit >= smallest && length / unit <= largest))
-      throw ParameterError("The parameter '" + std::string(name) + "' is out of its range: it must be from a thousandth of "
+      throw ParameterError("The parameter '" + std::string(name) +
+                           "' is out of its range: it must be from a thousandth of "
                            "the average edge length to a million of them, or 0 for automatic.");
   if (p.smoothing_passes > limits::max_smoothing_passes)
     throw ParameterError("The parameter 'smoothing_passes' must be at most " +
@@ -55,7 +56,8 @@ std::vector<double> anisotropies(const CurvatureField& field)
 {
   const double typical = typical_curvature(field);
   std::vector<double> values(field.size());
-  for (std::size_t v = 0; v < values.size(); ++v) values[v] = anisotropy(field.kappa_max[v], field.kappa_min[v], typical);
+  for (std::size_t v = 0; v < values.size(); ++v)
+    values[v] = anisotropy(field.kappa_max[v], field.kappa_min[v], typical);
   return values;
 }
 
@@ -71,8 +73,8 @@ std::vector<std::uint32_t> clearest_first(const std::vector<Triangle>& triangles
   return order;
 }
 
-void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from, double share,
-                  std::vector<CurvatureLine>& lines)
+void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from,
+                  double share, std::vector<CurvatureLine>& lines)
 {
   std::deque<WalkState> beside;
   const auto try_seed = [&](const WalkState& seed) {

@@ -9,11 +9,12 @@ namespace integral_invariant {
 
 namespace {
 
-constexpr double too_near = 0.5;      ///< of the spacing: a line ends this near to another one
-constexpr double same_place = 0.25;   ///< of the spacing: a line that passes its start this near is closed
-constexpr double sampling = 0.25;     ///< of the spacing: between the samples that other lines are held against
-constexpr double finest_sampling = 1.0 / 64;  ///< of the spacing: nearer samples tell nothing, and crowd where triangles do
-constexpr double smallest_loop = 3;   ///< ē
+constexpr double too_near = 0.5;     ///< of the spacing: a line ends this near to another one
+constexpr double same_place = 0.25;  ///< of the spacing: a line that passes its start this near is closed
+constexpr double sampling = 0.25;    ///< of the spacing: between the samples that other lines are held against
+constexpr double finest_sampling =
+    1.0 / 64;                        ///< of the spacing: nearer samples tell nothing, and crowd where triangles do
+constexpr double smallest_loop = 3;  ///< ē
 constexpr double most_steps = 200000;
 
 /// A line that keeps its distance from itself crosses a triangle a few times, the more the closer lines may lie.
@@ -21,7 +22,8 @@ std::size_t step_limit(std::size_t triangles, double spacing)
 {
   return std::size_t(std::min(most_steps, 1000 + 4 * double(triangles) * (1 + 1 / spacing)));
 }
-/// Around a vertex, or among slivers, steps may lead in a circle: a line ends after so many within the least progress (ē).
+/// Around a vertex, or among slivers, steps may lead in a circle: a line ends after so many within the least progress
+/// (ē).
 constexpr int most_idle_steps = 256;
 constexpr double least_progress = 1e-3;
 
@@ -29,8 +31,13 @@ constexpr double least_progress = 1e-3;
 
 LineTracer::LineTracer(const Surface& surface, const Topology& topology, const std::vector<Vec3>& lines,
                        const std::vector<double>& clarity, const TracerOptions& options)
-    : surface_(surface), walk_(surface, topology), lines_(lines), clarity_(clarity), options_(options),
-      most_steps_(step_limit(surface.triangles().size(), options.spacing)), grid_(options.spacing)
+    : surface_(surface),
+      walk_(surface, topology),
+      lines_(lines),
+      clarity_(clarity),
+      options_(options),
+      most_steps_(step_limit(surface.triangles().size(), options.spacing)),
+      grid_(options.spacing)
 {
 }
 
@@ -105,7 +112,8 @@ LineTracer::Half LineTracer::half_line(const WalkState& seed, const Vec3& direct
     const WalkState next = walk_.along(state, lines_, leaving);
     const Vec3 to = next.is_on_surface() ? walk_.position(next) : interpolate(surface_.positions(), leaving);
     if (sign > 0 && closes(place, to, half.length)) return half.end = LineEnd::loop, half;
-    if (next.is_on_surface() && comes_too_near(to, next, sign * half.length)) return half.end = LineEnd::near_line, half;
+    if (next.is_on_surface() && comes_too_near(to, next, sign * half.length))
+      return half.end = LineEnd::near_line, half;
     add_samples(place, to, normal, half.length, sign);
     half.length += norm(to - place);
     if (norm(to - last_progress) > least_progress) {
@@ -137,8 +145,10 @@ bool LineTracer::trace(const WalkState& seed, CurvatureLine& line)
   Half forward = half_line(seed, start_direction_, 1), backward;
   line.family = options_.family;
   line.closed = forward.end == LineEnd::loop;
-  if (line.closed) backward.end = LineEnd::loop;
-  else backward = half_line(seed, -start_direction_, -1);
+  if (line.closed)
+    backward.end = LineEnd::loop;
+  else
+    backward = half_line(seed, -start_direction_, -1);
 
   line.begins = backward.end;
   line.ends = forward.end;

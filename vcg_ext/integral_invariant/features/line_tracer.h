@@ -18,7 +18,8 @@ struct TracerOptions {
 
 class LineTracer {
  public:
-  /// `lines`: unit directions of the vertices without sign; `clarity`: anisotropy() of the vertices. Both must outlive this.
+  /// `lines`: unit directions of the vertices without sign; `clarity`: anisotropy() of the vertices. Both must outlive
+  /// this.
   LineTracer(const Surface& surface, const Topology& topology, const std::vector<Vec3>& lines,
              const std::vector<double>& clarity, const TracerOptions& options);
 
@@ -33,8 +34,8 @@ class LineTracer {
 
  private:
   struct Half {
-    std::vector<SurfacePoint> points;   ///< without the seed
-    std::vector<WalkState> states;      ///< at the points
+    std::vector<SurfacePoint> points;  ///< without the seed
+    std::vector<WalkState> states;     ///< at the points
     LineEnd end = LineEnd::length;
     double length = 0;
   };
@@ -51,7 +52,7 @@ class LineTracer {
   const std::vector<Vec3>& lines_;
   const std::vector<double>& clarity_;
   TracerOptions options_;
-  const std::size_t most_steps_;        ///< of half a line
+  const std::size_t most_steps_;  ///< of half a line
   PointGrid grid_;
   std::int32_t line_ = -1;              ///< the one in work
   double unsampled_ = 0;                ///< way since the last sample

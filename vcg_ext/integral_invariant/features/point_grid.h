@@ -15,7 +15,7 @@ namespace integral_invariant {
 struct LineSample {
   Vec3 position, normal;
   std::int32_t line = 0;
-  double arc = 0;        ///< place along the line
+  double arc = 0;  ///< place along the line
 };
 
 class PointGrid {

@@ -45,9 +45,11 @@ double at_percent(const std::vector<double>& sorted, double percent)
 Thresholds thresholds(const Surface& surface, const Result& result, const RidgeValleyParameters& p)
 {
   if (p.threshold == FeatureThreshold::curvature) {
-    require(p.high_curvature > 0, "The high threshold must be a curvature above 0 (1/length): set high_curvature, or use percentiles.");
+    require(p.high_curvature > 0,
+            "The high threshold must be a curvature above 0 (1/length): set high_curvature, or use percentiles.");
     require(p.low_curvature >= 0 && p.low_curvature <= p.high_curvature,
-            "The low threshold must not exceed the high one: lower low_curvature, or set it to 0 for half of high_curvature.");
+            "The low threshold must not exceed the high one: lower low_curvature, or set it to 0 for half of "
+            "high_curvature.");
     return {p.high_curvature, p.low_curvature > 0 ? p.low_curvature : p.high_curvature / 2};
   }
   require(p.high_percentile >= 0 && p.high_percentile <= 100 && p.low_percentile >= 0,
@@ -56,7 +58,8 @@ Thresholds thresholds(const Surface& surface, const Result& result, const RidgeV
           "The low threshold must not exceed the high one: lower low_percentile or raise high_percentile.");
   std::vector<double> largest;
   for (std::size_t v = 0; v < result.kappa_max.size(); ++v)
-    if (surface.is_referenced(v)) largest.push_back(std::max(std::abs(result.kappa_max[v]), std::abs(result.kappa_min[v])));
+    if (surface.is_referenced(v))
+      largest.push_back(std::max(std::abs(result.kappa_max[v]), std::abs(result.kappa_min[v])));
   std::sort(largest.begin(), largest.end());
   return {at_percent(largest, p.high_percentile), at_percent(largest, p.low_percentile)};
 }
@@ -99,7 +102,8 @@ RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result&
   found.low = low;
   constexpr std::int32_t dropped = -2;
   for (std::uint32_t seed = 0; seed < n; ++seed) {
-    if (found.region[seed] != -1 || candidates[seed].kind == FeatureKind::none || candidates[seed].strength < high) continue;
+    if (found.region[seed] != -1 || candidates[seed].kind == FeatureKind::none || candidates[seed].strength < high)
+      continue;
     const auto members = flood(surface, candidates, low, seed, std::int32_t(found.regions.size()), found.region);
     FeatureRegion region{candidates[seed].kind, members.size()};
     for (const std::uint32_t v : members) {
@@ -108,8 +112,10 @@ RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result&
     }
     const bool keep = members.size() >= std::size_t(std::max(p.minimum_vertices, 0)) && region.area >= p.minimum_area;
     for (const std::uint32_t v : members) {
-      if (keep) found.kind[v] = region.kind;
-      else found.region[v] = dropped;
+      if (keep)
+        found.kind[v] = region.kind;
+      else
+        found.region[v] = dropped;
     }
     if (keep) found.regions.push_back(region);
   }

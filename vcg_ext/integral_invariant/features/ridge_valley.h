@@ -22,18 +22,18 @@ struct RidgeValleyParameters {
   bool ridges = true, valleys = true;
   FeatureThreshold threshold = FeatureThreshold::percentile;
   double high_percentile = 95, low_percentile = 88;  ///< in [0, 100], low ≤ high
-  double high_curvature = 0;    ///< 1/L, above 0 where thresholds are absolute
-  double low_curvature = 0;     ///< 1/L, at most high_curvature; 0: half of it
-  int minimum_vertices = 10;    ///< smaller regions are dropped
-  double minimum_area = 0;      ///< L²; smaller regions are dropped
+  double high_curvature = 0;                         ///< 1/L, above 0 where thresholds are absolute
+  double low_curvature = 0;                          ///< 1/L, at most high_curvature; 0: half of it
+  int minimum_vertices = 10;                         ///< smaller regions are dropped
+  double minimum_area = 0;                           ///< L²; smaller regions are dropped
 };
 
 /// One connected region of a single kind.
 struct FeatureRegion {
   FeatureKind kind;
   std::size_t vertices = 0;
-  double area = 0;              ///< L²
-  double peak = 0;              ///< largest κ_max of a ridge, largest −κ_min of a valley, 1/L
+  double area = 0;  ///< L²
+  double peak = 0;  ///< largest κ_max of a ridge, largest −κ_min of a valley, 1/L
 };
 
 struct RidgeValleyRegions {
@@ -47,6 +47,7 @@ struct RidgeValleyRegions {
 /// region holds the vertices above `low` that are connected through mesh edges, inside the region, to one above `high`.
 /// `result` belongs to the mesh that `surface` was made from. Cost: O(n).
 /// \throw ParameterError where a threshold is out of its range, or the low one is over the high one
-RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result& result, const RidgeValleyParameters& parameters);
+RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result& result,
+                                           const RidgeValleyParameters& parameters);
 
 }  // namespace integral_invariant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Multi-scale signature. In: a mesh and the radii. Out: three numbers a scale and vertex. Cost: that of the moment engine.
-// Source: volume invariant of [Pottmann07]; curvatures of [Yang06].
+// Multi-scale signature. In: a mesh and the radii. Out: three numbers a scale and vertex. Cost: that of the moment
+// engine. Source: volume invariant of [Pottmann07]; curvatures of [Yang06].
 #include "integral_invariant/features/signature.h"
 
 #include <algorithm>
@@ -35,8 +35,9 @@ float storable(double value)
 void allocate(Signature& signature, std::size_t vertices, std::size_t scales, std::size_t limit_mb)
 {
   const double bytes = double(vertices) * double(scales) * signature_quantity_count * sizeof(float);
-  require_memory(bytes, limit_mb, "The signature of " + std::to_string(vertices) + " vertices at " +
-                 std::to_string(scales) + " scales", "Reduce scales or the number of vertices");
+  require_memory(bytes, limit_mb,
+                 "The signature of " + std::to_string(vertices) + " vertices at " + std::to_string(scales) + " scales",
+                 "Reduce scales or the number of vertices");
   for (auto& quantity : signature.values) quantity.assign(scales, std::vector<float>(vertices, 0.0F));
 }
 
@@ -44,7 +45,8 @@ void allocate(Signature& signature, std::size_t vertices, std::size_t scales, st
 
 Signature compute_signature(const TriangleMesh& mesh, const Parameters& parameters, const ProgressCallback& progress)
 {
-  Parameters ladder = parameters;  // a signature has the scales it is asked for, however curvature would choose its radius
+  Parameters ladder =
+      parameters;  // a signature has the scales it is asked for, however curvature would choose its radius
   ladder.radius_choice = RadiusChoice::feature_adapted;
   validate(ladder);
   Execution execution(parameters.threads, progress);

@@ -25,7 +25,8 @@ inline SurfacePoint edge_point(std::int32_t a, std::int32_t b, double t) { retur
 template <class Value>
 Value interpolate(const std::vector<Value>& values, const SurfacePoint& p)
 {
-  return values[p.vertices[0]] * p.weights[0] + values[p.vertices[1]] * p.weights[1] + values[p.vertices[2]] * p.weights[2];
+  return values[p.vertices[0]] * p.weights[0] + values[p.vertices[1]] * p.weights[1] +
+         values[p.vertices[2]] * p.weights[2];
 }
 
 /// Length of the polyline, in the unit of `positions`; `closed` adds the way back to its first point.

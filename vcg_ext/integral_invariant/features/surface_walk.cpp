@@ -10,7 +10,8 @@ namespace integral_invariant {
 
 namespace {
 
-/// Nearer to a vertex than this (as weight), the walk goes through the vertex: no side can be told from the other there.
+/// Nearer to a vertex than this (as weight), the walk goes through the vertex: no side can be told from the other
+/// there.
 constexpr double vertex_weight = 1 - 1e-5;
 /// How far (as weight) from a vertex the walk goes on behind it.
 constexpr double behind_vertex = 1e-3;
@@ -78,9 +79,12 @@ WalkState SurfaceWalk::across(const WalkState& state, int corner) const
   WalkState on{next, {}, {}};
   Vec3 opposite;
   for (int i = 0; i < 3; ++i) {
-    if (to[i] == a) on.weights[i] = state.weights[side];
-    else if (to[i] == b) on.weights[i] = state.weights[(side + 1) % 3];
-    else opposite = surface_.positions()[to[i]];
+    if (to[i] == a)
+      on.weights[i] = state.weights[side];
+    else if (to[i] == b)
+      on.weights[i] = state.weights[(side + 1) % 3];
+    else
+      opposite = surface_.positions()[to[i]];
   }
   const Vec3 towards = opposite - surface_.positions()[a];
   const Vec3 inward = normalized(towards - edge * dot(towards, edge), state.direction);

@@ -12,9 +12,9 @@ namespace integral_invariant {
 
 /// A place in a triangle, and the way there.
 struct WalkState {
-  std::int32_t triangle = -1;              ///< -1: over the boundary
-  std::array<double, 3> weights{};         ///< barycentric
-  Vec3 direction;                          ///< unit, in the plane of the triangle
+  std::int32_t triangle = -1;       ///< -1: over the boundary
+  std::array<double, 3> weights{};  ///< barycentric
+  Vec3 direction;                   ///< unit, in the plane of the triangle
 
   bool is_on_surface() const { return triangle >= 0; }
 };
@@ -32,15 +32,15 @@ class SurfaceWalk {
   /// Straight on for `distance` (1 = ē), unfolding the triangles on the way.
   WalkState straight(WalkState state, double distance) const;
 
-  /// From the state's place through its triangle along `lines`, which have no sign: the one that agrees with the state's
-  /// direction is taken. Midpoint rule: the direction halfway leads from entry to exit. The new state stands at the entry
-  /// of the next triangle. `inside` receives the place where the triangle is left.
+  /// From the state's place through its triangle along `lines`, which have no sign: the one that agrees with the
+  /// state's direction is taken. Midpoint rule: the direction halfway leads from entry to exit. The new state stands at
+  /// the entry of the next triangle. `inside` receives the place where the triangle is left.
   WalkState along(const WalkState& state, const std::vector<Vec3>& lines, SurfacePoint& inside) const;
 
  private:
   struct Exit {
     double distance;
-    int corner;       ///< the vertex opposite to the side where the triangle is left; -1: none is reached
+    int corner;  ///< the vertex opposite to the side where the triangle is left; -1: none is reached
   };
 
   Exit exit_of(const WalkState& state, const TriangleFrame& frame) const;

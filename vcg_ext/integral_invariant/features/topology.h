@@ -10,12 +10,14 @@
 
 namespace integral_invariant {
 
-/// Adjacency of the triangles of a surface. Side i of a triangle runs from its vertex i to the next; vertex i + 2 faces it.
+/// Adjacency of the triangles of a surface. Side i of a triangle runs from its vertex i to the next; vertex i + 2 faces
+/// it.
 struct Topology {
   explicit Topology(const Surface& surface);
 
-  std::vector<std::array<std::int32_t, 3>> edge;    ///< index of each side's edge, below edge_count
-  std::vector<std::array<std::int32_t, 3>> across;  ///< triangle on the other side; -1 at a boundary or where three meet
+  std::vector<std::array<std::int32_t, 3>> edge;  ///< index of each side's edge, below edge_count
+  std::vector<std::array<std::int32_t, 3>>
+      across;  ///< triangle on the other side; -1 at a boundary or where three meet
   std::size_t edge_count = 0;
 
   /// Triangles of vertex v: around[around_start[v]] up to around[around_start[v + 1]].

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Surface engine: what free edges add to the balls about one point, and the point's own sheet.
 //
-// Where the surface ends inside the ball it is continued by rays away from the centre: such a wall has no flux, and on the
-// sphere its trace is the edge's projection. At the centre itself the tangent plane closes the fan.
+// Where the surface ends inside the ball it is continued by rays away from the centre: such a wall has no flux, and on
+// the sphere its trace is the edge's projection. At the centre itself the tangent plane closes the fan.
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +33,8 @@ void BallEvaluator::add_free_edge(const LocalFreeEdge& edge)
     missing.add(start, end, sign);
   };
   for (std::uint32_t k = std::min(from, to); k < std::min(std::max(from, to), cut_scales_); ++k) {
-    const Vec3 cut = from < to ? a + (b - a) * edge_crossing(a, b, radii_[k]) : b + (a - b) * edge_crossing(b, a, radii_[k]);
+    const Vec3 cut =
+        from < to ? a + (b - a) * edge_crossing(a, b, radii_[k]) : b + (a - b) * edge_crossing(b, a, radii_[k]);
     add(from < to ? a : cut, from < to ? cut : b, cut_arcs_[k], cut_missing_[k]);
   }
   const std::uint32_t whole = std::max(from, to);

@@ -13,8 +13,8 @@ namespace integral_invariant {
 /// Sums the great arcs of the curve in which the surface leaves the ball, each in the direction in which the surface's
 /// boundary passes it (the spherical region is on its right).
 ///
-/// The area is the sum of the spherical triangles of a fixed pole and the arcs, modulo 4π. They are kept as a product of
-/// complex numbers of half their argument, so that no arc needs an arctangent.
+/// The area is the sum of the spherical triangles of a fixed pole and the arcs, modulo 4π. They are kept as a product
+/// of complex numbers of half their argument, so that no arc needs an arctangent.
 class ArcSums {
  public:
   /// Arc between the unit vectors a and b, `times` often (negative: the other way).

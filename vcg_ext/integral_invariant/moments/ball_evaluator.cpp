@@ -9,9 +9,13 @@
 namespace integral_invariant {
 
 BallEvaluator::BallEvaluator(const std::vector<double>& radii, bool same_sheet, LastRadius last_radius)
-    : radii_(radii), scales_(std::uint32_t(radii.size())),
-      cut_scales_(last_radius == LastRadius::rim ? scales_ - 1 : scales_), same_sheet_(same_sheet), whole_count_(radii.size() + 1, 0),
-      corners_(radii.size() + 2), corner_count_(radii.size(), 0)
+    : radii_(radii),
+      scales_(std::uint32_t(radii.size())),
+      cut_scales_(last_radius == LastRadius::rim ? scales_ - 1 : scales_),
+      same_sheet_(same_sheet),
+      whole_count_(radii.size() + 1, 0),
+      corners_(radii.size() + 2),
+      corner_count_(radii.size(), 0)
 {
   for (const double r : radii) squared_radii_.push_back(r * r);
   tabulate_scales();
@@ -26,7 +30,9 @@ void BallEvaluator::tabulate_scales()
         std::uint32_t vertex[3] = {0, 1, 2};
         std::stable_sort(vertex, vertex + 3, [&](std::uint32_t i, std::uint32_t j) { return scale[i] < scale[j]; });
         const std::uint32_t least = scale[vertex[0]], median = scale[vertex[1]], most = scale[vertex[2]];
-        const auto corner = [&](std::uint32_t k) { return std::uint8_t(k < median ? 2 * vertex[0] : 2 * vertex[2] + 1); };
+        const auto corner = [&](std::uint32_t k) {
+          return std::uint8_t(k < median ? 2 * vertex[0] : 2 * vertex[2] + 1);
+        };
         scales_table_.push_back({std::uint8_t(least), std::uint8_t(median), std::uint8_t(most), corner(least),
                                  corner(least + 1), least < most, least + 1 < most, corner(scales_)});
       }

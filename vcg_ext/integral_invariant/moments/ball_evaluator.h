@@ -32,8 +32,8 @@ class LocalCorner {
   std::uint32_t code_;
 };
 
-/// What follows from the first scales of a triangle's three vertices: from its second one on the triangle is whole, and from
-/// its least to before its largest one spheres cut a corner off. Corners as LocalCorner takes them.
+/// What follows from the first scales of a triangle's three vertices: from its second one on the triangle is whole, and
+/// from its least to before its largest one spheres cut a corner off. Corners as LocalCorner takes them.
 struct TriangleScales {
   std::uint8_t least, median, most;
   std::uint8_t corner_at_least, corner_after;  ///< that is cut off at the least scale, and at the next one
@@ -46,8 +46,8 @@ struct TouchedTriangle {
   TriangleScales scales;
 };
 
-/// What the last radius stands for: a ball like the others, or the rim, up to which the surface's whole triangles belong to
-/// the near part; what leads on from there is FarField's.
+/// What the last radius stands for: a ball like the others, or the rim, up to which the surface's whole triangles
+/// belong to the near part; what leads on from there is FarField's.
 enum class LastRadius { ball, rim };
 
 /// Scratch memory and method for one worker.
@@ -60,11 +60,11 @@ class BallEvaluator {
   const std::vector<BallMoments>& evaluate(const Neighbourhood& near, Vicinity& vicinity, std::uint32_t centre,
                                            const Vec3& normal, bool is_border);
 
-  /// Of the last evaluation, for the triangles of the vicinity's leaves: how far out they reach, as the first scale of their
-  /// farthest vertex; the number of radii where that is beyond them all.
+  /// Of the last evaluation, for the triangles of the vicinity's leaves: how far out they reach, as the first scale of
+  /// their farthest vertex; the number of radii where that is beyond them all.
   const std::vector<std::uint8_t>& outermost_scales() const { return outermost_; }
-  /// With a rim: moments of the cones from the centre to the triangles whose vertices are all within it. The last moments
-  /// of evaluate() are those of the ball if the surface went on from there by rays away from the centre.
+  /// With a rim: moments of the cones from the centre to the triangles whose vertices are all within it. The last
+  /// moments of evaluate() are those of the ball if the surface went on from there by rays away from the centre.
   const MomentSums& rim_cones() const { return rim_cones_; }
   /// Angle of the gaps in the fan at the centre, for the largest radius.
   double gap_angle() const { return gap_angle_; }
@@ -94,22 +94,22 @@ class BallEvaluator {
   const std::uint32_t scales_;
   const std::uint32_t cut_scales_;  ///< those whose spheres cut triangles: all but the rim
   const bool same_sheet_;
-  std::vector<std::vector<std::uint32_t>> queue_;        ///< same_sheet: points found, per scale
-  std::vector<std::uint8_t> own_scale_, rim_scale_;      ///< same_sheet: first scale that reaches a point, or its ring
+  std::vector<std::vector<std::uint32_t>> queue_;    ///< same_sheet: points found, per scale
+  std::vector<std::uint8_t> own_scale_, rim_scale_;  ///< same_sheet: first scale that reaches a point, or its ring
   const Neighbourhood* near_ = nullptr;
   Vec3 pole_, centre_;
-  std::vector<std::uint8_t> scale_of_;      ///< per local point: the first scale whose ball holds it
-  std::vector<std::uint8_t> outermost_;     ///< per triangle
+  std::vector<std::uint8_t> scale_of_;        ///< per local point: the first scale whose ball holds it
+  std::vector<std::uint8_t> outermost_;       ///< per triangle
   std::vector<TriangleScales> scales_table_;  ///< by the first scales of three vertices
   std::vector<TouchedTriangle> touched_;
   std::size_t touched_count_ = 0;
-  std::vector<std::vector<std::uint32_t>> whole_;        ///< per scale: triangles whose second vertex is inside from it on
+  std::vector<std::vector<std::uint32_t>> whole_;  ///< per scale: triangles whose second vertex is inside from it on
   std::vector<std::uint32_t> whole_count_;
-  std::vector<MomentSums> shells_;          ///< whole triangles, by the first scale that holds them
-  std::vector<std::vector<LocalCorner>> corners_;       ///< per scale: what its sphere cuts off
+  std::vector<MomentSums> shells_;                 ///< whole triangles, by the first scale that holds them
+  std::vector<std::vector<LocalCorner>> corners_;  ///< per scale: what its sphere cuts off
   std::vector<std::uint32_t> corner_count_;
   CornerBatch batch_;
-  std::vector<CornerSums> cuts_;            ///< per scale: what belongs to that scale alone
+  std::vector<CornerSums> cuts_;  ///< per scale: what belongs to that scale alone
   std::vector<ArcSums> shell_arcs_, cut_arcs_;
   RimArcs rim_arcs_;
   std::vector<std::uint32_t> rim_list_;

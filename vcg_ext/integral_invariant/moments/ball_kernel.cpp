@@ -96,16 +96,29 @@ void BallKernel::apply(int moment, const std::complex<float>* transform, std::co
   const auto times_i = [](float f, const Value& v) { return Value(-f * v.imag(), f * v.real()); };
   const auto run = [&](const auto& factor) { multiply(factor, transform, result); };
   switch (moment) {
-    case 0: return run([](const Radial& b, float, float, float, const Value& v) { return b.ball * v; });
-    case 1: return run([&](const Radial& b, float x, float, float, const Value& v) { return times_i(b.first * x, v); });
-    case 2: return run([&](const Radial& b, float, float y, float, const Value& v) { return times_i(b.first * y, v); });
-    case 3: return run([&](const Radial& b, float, float, float z, const Value& v) { return times_i(b.first * z, v); });
-    case 4: return run([](const Radial& b, float x, float, float, const Value& v) { return (b.first - b.second * x * x) * v; });
-    case 5: return run([](const Radial& b, float x, float y, float, const Value& v) { return (-b.second * x * y) * v; });
-    case 6: return run([](const Radial& b, float x, float, float z, const Value& v) { return (-b.second * x * z) * v; });
-    case 7: return run([](const Radial& b, float, float y, float, const Value& v) { return (b.first - b.second * y * y) * v; });
-    case 8: return run([](const Radial& b, float, float y, float z, const Value& v) { return (-b.second * y * z) * v; });
-    default: return run([](const Radial& b, float, float, float z, const Value& v) { return (b.first - b.second * z * z) * v; });
+    case 0:
+      return run([](const Radial& b, float, float, float, const Value& v) { return b.ball * v; });
+    case 1:
+      return run([&](const Radial& b, float x, float, float, const Value& v) { return times_i(b.first * x, v); });
+    case 2:
+      return run([&](const Radial& b, float, float y, float, const Value& v) { return times_i(b.first * y, v); });
+    case 3:
+      return run([&](const Radial& b, float, float, float z, const Value& v) { return times_i(b.first * z, v); });
+    case 4:
+      return run(
+          [](const Radial& b, float x, float, float, const Value& v) { return (b.first - b.second * x * x) * v; });
+    case 5:
+      return run([](const Radial& b, float x, float y, float, const Value& v) { return (-b.second * x * y) * v; });
+    case 6:
+      return run([](const Radial& b, float x, float, float z, const Value& v) { return (-b.second * x * z) * v; });
+    case 7:
+      return run(
+          [](const Radial& b, float, float y, float, const Value& v) { return (b.first - b.second * y * y) * v; });
+    case 8:
+      return run([](const Radial& b, float, float y, float z, const Value& v) { return (-b.second * y * z) * v; });
+    default:
+      return run(
+          [](const Radial& b, float, float, float z, const Value& v) { return (b.first - b.second * z * z) * v; });
   }
 }
 

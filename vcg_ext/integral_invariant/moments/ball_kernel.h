@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 1, FFT engine: the ten functions 1, y_i, y_i y_j on the ball, in the frequency domain. In: a radius in cells and
-// the size of the transform. Out: factors by which the transform of the cells is multiplied.
-// Source: [Pottmann07], [Lai09 4.1]; the ball's transform in closed form (docs/method.md).
+// Stage 1, FFT engine: the ten functions 1, y_i, y_i y_j on the ball, in the frequency domain. In: a radius in cells
+// and the size of the transform. Out: factors by which the transform of the cells is multiplied. Source: [Pottmann07],
+// [Lai09 4.1]; the ball's transform in closed form (docs/method.md).
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ class BallKernel {
     float ball, first, second;
   };
   struct Axis {
-    std::vector<float> k;  ///< angular frequency; 0 at the Nyquist frequency, where an odd kernel has no real value
-    std::vector<int> fold; ///< index of |k|
+    std::vector<float> k;   ///< angular frequency; 0 at the Nyquist frequency, where an odd kernel has no real value
+    std::vector<int> fold;  ///< index of |k|
   };
   const Radial* row(int i, int j) const;
   template <class Factor>

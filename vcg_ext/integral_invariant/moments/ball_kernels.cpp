@@ -47,7 +47,8 @@ inline double crossing(double along, double length2, double depth)
 }
 
 template <int terms>
-[[gnu::always_inline]] inline void add_groups(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
+[[gnu::always_inline]] inline void add_groups(const CornerBatch& batch, const Vec3& centre, double radius,
+                                              const Vec3& pole, LaneSums& sums)
 {
   const double r2 = radius * radius, inverse_r = 1 / radius, inverse_r2 = inverse_r * inverse_r;
   const double *ax = batch.column(0), *ay = batch.column(1), *az = batch.column(2);
@@ -74,12 +75,14 @@ template <int terms>
       const double dx = px - qx, dy = py - qy, dz = pz - qz;
       const double half_sine2 = (dx * dx + dy * dy + dz * dz) * (0.25 * inverse_r2);
       const double cosine2 = 1 - half_sine2;
-      const double arc = 3 * r2 * sign * ratio<terms>(half_sine2), pair = 2 * r2 * sign / (cosine2 > 1e-15 ? cosine2 : 1e-15);
+      const double arc = 3 * r2 * sign * ratio<terms>(half_sine2),
+                   pair = 2 * r2 * sign / (cosine2 > 1e-15 ? cosine2 : 1e-15);
       sums.value[0][j] += cone;
       sums.value[1][j] += cone * (x + sx) - arc * mx;
       sums.value[2][j] += cone * (y + sy) - arc * my;
       sums.value[3][j] += cone * (z + sz) - arc * mz;
-      // With e = a + s/2: aaᵀ + ppᵀ + qqᵀ + (a+s)(a+s)ᵀ = 2eeᵀ + ssᵀ + ½ddᵀ, and ssᵀ shares its factor with the arc's term.
+      // With e = a + s/2: aaᵀ + ppᵀ + qqᵀ + (a+s)(a+s)ᵀ = 2eeᵀ + ssᵀ + ½ddᵀ, and ssᵀ shares its factor with the arc's
+      // term.
       const double ex = x + 0.5 * sx, ey = y + 0.5 * sy, ez = z + 0.5 * sz;
       const double twice = 2 * cone, half = 0.5 * cone;
       const double fx = twice * ex, fy = twice * ey, fz = twice * ez, gx = half * dx, gy = half * dy, gz = half * dz;
@@ -100,22 +103,26 @@ template <int terms>
   }
 }
 
-II_VECTOR_CLONES void add_any_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
+II_VECTOR_CLONES void add_any_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole,
+                                     LaneSums& sums)
 {
   add_groups<any_terms>(batch, centre, radius, pole, sums);
 }
 
-II_VECTOR_CLONES void add_long_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
+II_VECTOR_CLONES void add_long_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole,
+                                      LaneSums& sums)
 {
   add_groups<terms_1>(batch, centre, radius, pole, sums);
 }
 
-II_VECTOR_CLONES void add_short_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
+II_VECTOR_CLONES void add_short_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole,
+                                       LaneSums& sums)
 {
   add_groups<terms_2>(batch, centre, radius, pole, sums);
 }
 
-II_VECTOR_CLONES void add_tiny_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole, LaneSums& sums)
+II_VECTOR_CLONES void add_tiny_chords(const CornerBatch& batch, const Vec3& centre, double radius, const Vec3& pole,
+                                      LaneSums& sums)
 {
   add_groups<terms_4>(batch, centre, radius, pole, sums);
 }
@@ -144,7 +151,8 @@ static void sum_whole_triangles(const LocalTriangle* triangles, const std::uint3
   }
 }
 
-MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count, const Vec3& centre)
+MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count,
+                           const Vec3& centre)
 {
   const double apex[4] = {centre.x, centre.y, centre.z, 0};
   double s[12];
@@ -169,7 +177,7 @@ void add_corners(CornerBatch& batch, const Vec3& centre, double radius, const Ve
     lane.real[j] = 1;
     lane.imaginary[j] = 0;
   }
-  const auto add = longest_chord <= 0.25 * radius ? add_tiny_chords
+  const auto add = longest_chord <= 0.25 * radius  ? add_tiny_chords
                    : longest_chord <= 0.5 * radius ? add_short_chords
                    : longest_chord <= radius       ? add_long_chords
                                                    : add_any_chords;

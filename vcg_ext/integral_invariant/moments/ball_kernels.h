@@ -25,7 +25,8 @@ struct alignas(32) LocalTriangle {
 };
 
 /// Moments of the cones from `centre` to those of the triangles that `list` names.
-MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count, const Vec3& centre);
+MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count,
+                           const Vec3& centre);
 
 /// Corners that one sphere cuts off triangles, in columns: the lone vertex a, and b and c in the triangle's order.
 class CornerBatch {
@@ -45,7 +46,8 @@ class CornerBatch {
     ++count_;
   }
   void clear() { count_ = 0; }
-  /// Fills the last group up with corners of the ball about `centre` that add nothing: sign 0, along the unit vector `pole`.
+  /// Fills the last group up with corners of the ball about `centre` that add nothing: sign 0, along the unit vector
+  /// `pole`.
   void pad(const Vec3& centre, const Vec3& pole, double radius);
 
   static constexpr std::size_t columns = 10;

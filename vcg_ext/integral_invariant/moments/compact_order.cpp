@@ -24,7 +24,8 @@ int longest_side(const PlacedItem* begin, const PlacedItem* end)
   return axis;
 }
 
-/// Items [begin, end) that are to be split where `left` of them, or half as many and so on, are the larger share of them.
+/// Items [begin, end) that are to be split where `left` of them, or half as many and so on, are the larger share of
+/// them.
 struct Part {
   PlacedItem *begin, *end;
   std::size_t left;
@@ -59,7 +60,8 @@ void order_compactly(std::vector<PlacedItem>& items, std::size_t run, Execution&
   std::size_t left = run;
   while (left < items.size()) left *= 2;
   std::vector<Part> parts{{items.data(), items.data() + items.size(), left}};
-  while (parts.size() < parts_per_worker * std::size_t(execution.threads()) && parts.size() * least_part < items.size()) {
+  while (parts.size() < parts_per_worker * std::size_t(execution.threads()) &&
+         parts.size() * least_part < items.size()) {
     std::vector<Part> shares(2 * parts.size());
     parallel_step(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t i = begin; i < end; ++i) {

@@ -38,7 +38,8 @@ void decimate(std::vector<float>& fine, const std::array<int, 3>& size, float* c
     for (std::size_t j = 0; j < ny; ++j) {
       const float* from = fine.data() + i * plane + j * fine_z;
       float* to = coarse + (i * ny + j) * row_stride;
-      for (std::size_t k = 0; k < nz; ++k, from += 2) to[k] = 0.125f * (from[0] + from[3]) + 0.375f * (from[1] + from[2]);
+      for (std::size_t k = 0; k < nz; ++k, from += 2)
+        to[k] = 0.125f * (from[0] + from[3]) + 0.375f * (from[1] + from[2]);
       std::fill(to + nz, to + row_stride, 0.0f);
     }
   }

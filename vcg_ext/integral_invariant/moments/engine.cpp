@@ -7,7 +7,8 @@
 
 namespace integral_invariant {
 
-std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters, Execution& execution)
+std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters,
+                                                 Execution& execution)
 {
   if (parameters.engine == EngineKind::surface_integral) return make_surface_engine(surface, parameters, execution);
   return make_fft_engine(surface, parameters);

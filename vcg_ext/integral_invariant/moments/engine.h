@@ -17,9 +17,9 @@ namespace integral_invariant {
 
 /// Moments of the solid D inside the ball B_r(p) about its centre p, in normalised coordinates.
 struct BallMoments {
-  double volume = 0;    ///< V = ∫ 1, unit L^3
-  Vec3 first;           ///< m = ∫ y, L^4
-  Symmetric3 second;    ///< M = ∫ y yᵀ, L^5; y = x − p over x in D ∩ B_r(p)
+  double volume = 0;      ///< V = ∫ 1, unit L^3
+  Vec3 first;             ///< m = ∫ y, L^4
+  Symmetric3 second;      ///< M = ∫ y yᵀ, L^5; y = x − p over x in D ∩ B_r(p)
   double confidence = 1;  ///< how much of the ball's surface was there and consistently oriented, 0 to 1
 };
 
@@ -43,6 +43,7 @@ class MomentEngine {
 
 /// The engine that `parameters` ask for, prepared for `surface`, which must outlive it.
 /// \throw InputError where the engine cannot work on this surface (it says why and what to do); Cancelled
-std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters, Execution& execution);
+std::unique_ptr<MomentEngine> make_moment_engine(const Surface& surface, const Parameters& parameters,
+                                                 Execution& execution);
 
 }  // namespace integral_invariant

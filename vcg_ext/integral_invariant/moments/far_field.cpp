@@ -41,8 +41,14 @@ ScaleSplit ScaleSplit::of(const std::vector<double>& radii, double widest_near)
 }
 
 FarField::FarField(const SurfaceTree& tree, const ScaleSplit& split)
-    : radii_(with_rim(split)), rim_{radii_.front()}, outside_(std::uint8_t(split.near.size())), far_(tree, radii_.back()),
-      points_in_(radii_.size()), clusters_in_(radii_.size()), point_count_(radii_.size()), cluster_count_(radii_.size())
+    : radii_(with_rim(split)),
+      rim_{radii_.front()},
+      outside_(std::uint8_t(split.near.size())),
+      far_(tree, radii_.back()),
+      points_in_(radii_.size()),
+      clusters_in_(radii_.size()),
+      point_count_(radii_.size()),
+      cluster_count_(radii_.size())
 {
   for (const double r : radii_) squared_radii_.push_back(r * r);
 }
@@ -141,7 +147,8 @@ void FarField::sort_leaves(const std::vector<std::uint8_t>& outermost_scales, co
 }
 
 /// Which weights leave out the triangles within the rim; none where all are.
-std::uint32_t FarField::weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& outermost_scales, const Vec3& centre)
+std::uint32_t FarField::weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& outermost_scales,
+                                       const Vec3& centre)
 {
   const std::uint32_t near_leaf = far_.near_leaf(leaves_[i]);
   if (near_leaf == FarPoints::no_leaf) {
@@ -193,7 +200,8 @@ void FarField::find_confidence(const Vec3& centre, double gap_angle, bool is_bor
       missing_[k].add(a, is_whole ? b : a + (b - a) * edge_crossing(a, b, radii_[k]), sign);
     }
   }
-  for (std::size_t k = 1; k < radii_.size(); ++k) moments_[k - 1].confidence = confidence(missing_[k], squared_radii_[k]);
+  for (std::size_t k = 1; k < radii_.size(); ++k)
+    moments_[k - 1].confidence = confidence(missing_[k], squared_radii_[k]);
 }
 
 }  // namespace integral_invariant

@@ -22,8 +22,8 @@ struct ScaleSplit {
   static ScaleSplit none(const std::vector<double>& radii) { return {radii, {}}; }
 };
 
-/// Beyond the rim the field f x/(d+3) (1 − (r/|x|)^{d+3}) has no flux through the sphere r, so that triangles need not be
-/// clipped there. For one worker.
+/// Beyond the rim the field f x/(d+3) (1 − (r/|x|)^{d+3}) has no flux through the sphere r, so that triangles need not
+/// be clipped there. For one worker.
 class FarField {
  public:
   FarField(const SurfaceTree& tree, const ScaleSplit& split);
@@ -47,16 +47,16 @@ class FarField {
 
   const std::vector<double> radii_, rim_;  ///< rim, then the far ones; the rim alone
   std::vector<double> squared_radii_;
-  const std::uint8_t outside_;             ///< first scale of points beyond the rim
+  const std::uint8_t outside_;  ///< first scale of points beyond the rim
   const Neighbourhood* near_ = nullptr;
   FarPoints far_;
   std::vector<std::uint32_t> leaves_, clusters_;  ///< of the block, that the narrowed points' balls need
   std::size_t rim_leaves_ = 0;                    ///< how many of these leaves, the first ones, a rim may cut
   SphereColumns point_spheres_, triangle_spheres_, cluster_spheres_;  ///< of these; of the first ones' triangles
-  std::vector<LaneWeights> weights_;              ///< ones, then those of the leaves that the rim cuts
-  std::vector<std::uint32_t> weights_of_;         ///< of each leaf
+  std::vector<LaneWeights> weights_;       ///< ones, then those of the leaves that the rim cuts
+  std::vector<std::uint32_t> weights_of_;  ///< of each leaf
   std::vector<std::uint8_t> least_, largest_, least_side_, largest_side_;  ///< scales; sides of the rim
-  std::vector<std::vector<WeighedGroup>> points_in_;       ///< per shell
+  std::vector<std::vector<WeighedGroup>> points_in_;                       ///< per shell
   std::vector<std::vector<std::uint32_t>> clusters_in_;
   std::vector<std::uint32_t> point_count_, cluster_count_;  ///< of them that are valid
   std::vector<MissingSurface> missing_;

@@ -59,7 +59,8 @@ void FarPoints::gather(const Neighbourhood& near)
 
 void FarPoints::add_cluster(std::size_t level, std::size_t index, const Sphere& sphere)
 {
-  // About the centre of its flux, as far as the surface is flat enough to have one: the integrand varies least from there.
+  // About the centre of its flux, as far as the surface is flat enough to have one: the integrand varies least from
+  // there.
   const FluxMoments& m = tree_.moments(level, index);
   const Vec3& n = m.normal;
   const double area2 = squared_norm(n), radius2 = sphere.radius * sphere.radius;
@@ -149,7 +150,8 @@ void FarPoints::end_cluster_group()
 {
   if (cluster_lane_ == 0) return;
   const Sphere sphere = bounding_sphere(cluster_points_.data(), cluster_lane_);
-  for (; cluster_lane_ < lanes; ++cluster_lane_) clusters_.back().set(cluster_lane_, sphere.centre, {}, {{}, {}, {}}, 0);
+  for (; cluster_lane_ < lanes; ++cluster_lane_)
+    clusters_.back().set(cluster_lane_, sphere.centre, {}, {{}, {}, {}}, 0);
   cluster_spheres_.push(sphere.centre, sphere.radius);
   cluster_lane_ = 0;
 }

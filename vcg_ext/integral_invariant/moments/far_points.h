@@ -50,7 +50,7 @@ class FarPoints {
   double radius_ = 0;  ///< of the block
   std::vector<PointGroup> points_;
   std::vector<ClusterGroup> clusters_;
-  std::size_t cluster_lane_ = 0;           ///< next one of the last group
+  std::size_t cluster_lane_ = 0;  ///< next one of the last group
   std::array<Sphere, kernel_lanes> cluster_points_;
   SphereColumns point_spheres_, triangle_spheres_, cluster_spheres_;
   std::vector<std::uint32_t> near_leaf_;

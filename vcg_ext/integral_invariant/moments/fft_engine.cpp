@@ -47,10 +47,17 @@ double least_bytes(const TileLayout& layout)
 class ScalePass {
  public:
   ScalePass(const Surface& surface, const TileLayout& layout, int scale, const MomentSink& sink)
-      : surface_(surface), layout_(layout), fine_grid_{layout.grid.origin, layout.grid.step / 2}, scale_(scale), sink_(sink),
-        transform_(layout.shape.size), kernel_(layout.shape.size, layout.radius_cells),
-        triangles_(tile_triangles(surface, layout)), stack_triangles_(stack_triangles(surface, layout)),
-        rows_(std::size_t(layout.shape.size[1])), row_stride_(FftBuffer::row_stride(layout.shape.size))
+      : surface_(surface),
+        layout_(layout),
+        fine_grid_{layout.grid.origin, layout.grid.step / 2},
+        scale_(scale),
+        sink_(sink),
+        transform_(layout.shape.size),
+        kernel_(layout.shape.size, layout.radius_cells),
+        triangles_(tile_triangles(surface, layout)),
+        stack_triangles_(stack_triangles(surface, layout)),
+        rows_(std::size_t(layout.shape.size[1])),
+        row_stride_(FftBuffer::row_stride(layout.shape.size))
   {
   }
 
@@ -60,7 +67,8 @@ class ScalePass {
     const double tiles = double(layout_.tiles.size());
     for (std::size_t stack = 0; stack < layout_.stack_count();) {
       const std::size_t begin = layout_.stack_start[stack], first = stack;
-      while (stack < layout_.stack_count() && (stack == first || layout_.stack_start[stack + 1] - begin <= most)) ++stack;
+      while (stack < layout_.stack_count() && (stack == first || layout_.stack_start[stack + 1] - begin <= most))
+        ++stack;
       const std::size_t end = layout_.stack_start[stack];
       run_stacks(first, stack, execution, memory / 2, from + (to - from) * double(begin) / tiles,
                  from + (to - from) * double(end) / tiles);
@@ -93,25 +101,31 @@ class ScalePass {
       return;
     }
     WorkspacePool pool(layout_.shape.size, std::clamp<std::size_t>(memory / worker_bytes(layout_.shape), 1, threads));
-    parallel_for(tiles, 1, execution, [&](std::size_t from_tile, std::size_t to_tile, int) {
-      for (std::size_t tile = from_tile; tile < to_tile; ++tile)
-        pool.lend([&](Workspace& workspace) { run_tile(begin + tile, workspace); });
-    }, from, to);
+    parallel_for(
+        tiles, 1, execution,
+        [&](std::size_t from_tile, std::size_t to_tile, int) {
+          for (std::size_t tile = from_tile; tile < to_tile; ++tile)
+            pool.lend([&](Workspace& workspace) { run_tile(begin + tile, workspace); });
+        },
+        from, to);
   }
 
   void find_carries(std::size_t first_stack, std::size_t last_stack, Execution& execution, double from, double to)
   {
     first_carried_ = layout_.stack_start[first_stack];
     carries_.resize((layout_.stack_start[last_stack] - first_carried_) * plane_size());
-    parallel_for(last_stack - first_stack, 1, execution, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t stack = first_stack + begin; stack < first_stack + end; ++stack) {
-        const std::size_t first = layout_.stack_start[stack];
-        std::vector<std::int64_t> tops;
-        for (std::size_t tile = first; tile < layout_.stack_start[stack + 1]; ++tile)
-          tops.push_back(fine_box(tile).begin[2] + fine_box(tile).size[2]);
-        carry_planes(surface_, fine_grid_, fine_box(first), stack_triangles_.row(stack), tops, carry_of(first));
-      }
-    }, from, to);
+    parallel_for(
+        last_stack - first_stack, 1, execution,
+        [&](std::size_t begin, std::size_t end, int) {
+          for (std::size_t stack = first_stack + begin; stack < first_stack + end; ++stack) {
+            const std::size_t first = layout_.stack_start[stack];
+            std::vector<std::int64_t> tops;
+            for (std::size_t tile = first; tile < layout_.stack_start[stack + 1]; ++tile)
+              tops.push_back(fine_box(tile).begin[2] + fine_box(tile).size[2]);
+            carry_planes(surface_, fine_grid_, fine_box(first), stack_triangles_.row(stack), tops, carry_of(first));
+          }
+        },
+        from, to);
   }
 
   float* carry_of(std::size_t tile) { return carries_.data() + (tile - first_carried_) * plane_size(); }
@@ -119,7 +133,8 @@ class ScalePass {
 
   std::size_t slab_count() const { return std::size_t((layout_.shape.size[0] + slab_width - 1) / slab_width); }
 
-  void scan_slab(std::size_t tile, const std::vector<std::uint32_t>& triangles, std::size_t slab, FftBuffer& buffer) const
+  void scan_slab(std::size_t tile, const std::vector<std::uint32_t>& triangles, std::size_t slab,
+                 FftBuffer& buffer) const
   {
     const int offset = int(slab) * slab_width;
     std::array<int, 3> size = layout_.shape.size;
@@ -161,7 +176,8 @@ class ScalePass {
       BallMoments moments;
       moments.volume = double(v[0]) * h3;
       moments.first = Vec3{double(v[1]), double(v[2]), double(v[3])} * h4;
-      moments.second = Symmetric3{double(v[4]), double(v[5]), double(v[6]), double(v[7]), double(v[8]), double(v[9])} * h5;
+      moments.second =
+          Symmetric3{double(v[4]), double(v[5]), double(v[6]), double(v[7]), double(v[8]), double(v[9])} * h5;
       sink_(lists.indices[i], scale_, moments);
     }
   }
@@ -188,17 +204,23 @@ class ScalePass {
     FftBuffer transform(layout_.shape.size);
     std::vector<std::unique_ptr<FftBuffer>> products(std::size_t(execution.threads()));
     const std::vector<std::uint32_t> triangles = triangles_.row(tile);
-    parallel_for(slab_count(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
-      for (std::size_t slab = begin; slab < end; ++slab) scan_slab(tile, triangles, slab, transform);
-    }, from, from);
+    parallel_for(
+        slab_count(), 1, execution,
+        [&](std::size_t begin, std::size_t end, int) {
+          for (std::size_t slab = begin; slab < end; ++slab) scan_slab(tile, triangles, slab, transform);
+        },
+        from, from);
     transform_.forward(transform);
     std::vector<float> values(value_count(tile));
-    parallel_for(moment_count, 1, execution, [&](std::size_t begin, std::size_t end, int worker) {
-      std::unique_ptr<FftBuffer>& product = products[std::size_t(worker)];
-      if (!product) product = std::make_unique<FftBuffer>(layout_.shape.size);
-      for (std::size_t moment = begin; moment < end; ++moment)
-        find_moment(tile, int(moment), transform, *product, values);
-    }, from, to);
+    parallel_for(
+        moment_count, 1, execution,
+        [&](std::size_t begin, std::size_t end, int worker) {
+          std::unique_ptr<FftBuffer>& product = products[std::size_t(worker)];
+          if (!product) product = std::make_unique<FftBuffer>(layout_.shape.size);
+          for (std::size_t moment = begin; moment < end; ++moment)
+            find_moment(tile, int(moment), transform, *product, values);
+        },
+        from, to);
     deliver(tile, values);
   }
 
@@ -218,8 +240,10 @@ class ScalePass {
 class FftEngine : public MomentEngine {
  public:
   FftEngine(const Surface& surface, const Parameters& parameters)
-      : surface_(surface), cells_per_radius_(parameters.fft_cells_per_radius),
-        memory_(memory_limit_bytes(parameters.memory_limit_mb)), memory_limit_mb_(parameters.memory_limit_mb)
+      : surface_(surface),
+        cells_per_radius_(parameters.fft_cells_per_radius),
+        memory_(memory_limit_bytes(parameters.memory_limit_mb)),
+        memory_limit_mb_(parameters.memory_limit_mb)
   {
   }
 
@@ -229,7 +253,8 @@ class FftEngine : public MomentEngine {
     double total = 0, done = 0;
     for (const TileLayout& layout : layouts) {
       total += layout.shape.cost;
-      require_memory(least_bytes(layout), memory_limit_mb_, "The voxel grid (" + std::to_string(layout.tiles.size()) + " tiles)",
+      require_memory(least_bytes(layout), memory_limit_mb_,
+                     "The voxel grid (" + std::to_string(layout.tiles.size()) + " tiles)",
                      "Lower fft_cells_per_radius, raise r_min");
     }
     for (std::size_t scale = 0; scale < layouts.size(); ++scale) {

@@ -9,8 +9,8 @@
 
 namespace integral_invariant {
 
-/// The engine on grids with `fft_cells_per_radius` cells per radius, one grid a scale; memory as `memory_limit_mb` says.
-/// `surface` must outlive it. \throw InputError where the surface is not closed
+/// The engine on grids with `fft_cells_per_radius` cells per radius, one grid a scale; memory as `memory_limit_mb`
+/// says. `surface` must outlive it. \throw InputError where the surface is not closed
 std::unique_ptr<MomentEngine> make_fft_engine(const Surface& surface, const Parameters& parameters);
 
 }  // namespace integral_invariant

@@ -14,9 +14,9 @@ constexpr std::size_t lanes = kernel_lanes;
 using LaneSums = FluxSums::Lanes;
 
 /// The ten moments of degree 0, 1, 2 in lane j, to the sums from `first` on.
-[[gnu::always_inline]] inline void add_moments(LaneSums& sum, std::size_t first, std::size_t j, double m, double mx, double my,
-                                               double mz, double mxx, double mxy, double mxz, double myy, double myz,
-                                               double mzz)
+[[gnu::always_inline]] inline void add_moments(LaneSums& sum, std::size_t first, std::size_t j, double m, double mx,
+                                               double my, double mz, double mxx, double mxy, double mxz, double myy,
+                                               double myz, double mzz)
 {
   const double moments[10] = {m, mx, my, mz, mxx, mxy, mxz, myy, myz, mzz};
   for (std::size_t i = 0; i < 10; ++i) sum.value[first + i][j] += moments[i];
@@ -25,9 +25,9 @@ using LaneSums = FluxSums::Lanes;
 /// Bounded at 0, where points that do not count may stand.
 inline double bounded(double squared_distance) { return squared_distance > 1e-6 ? squared_distance : 1e-6; }
 
-/// What a piece's extent makes of |x|^-3, x |x|^-4 and x xᵀ |x|^-5: 1 and half its variance times the Laplacian in its plane,
-/// q = variance/|x|², c = (h/|x|)² for the unit normal. Of h n, which the latter two have besides, the part along x is taken;
-/// q |x|^-3 on the diagonal of the last one is added apart.
+/// What a piece's extent makes of |x|^-3, x |x|^-4 and x xᵀ |x|^-5: 1 and half its variance times the Laplacian in its
+/// plane, q = variance/|x|², c = (h/|x|)² for the unit normal. Of h n, which the latter two have besides, the part
+/// along x is taken; q |x|^-3 on the diagonal of the last one is added apart.
 inline double factor3(double q, double c) { return 1 + q * (4.5 - 7.5 * c); }
 inline double factor4(double q, double c) { return 1 + q * (4 - 8 * c); }
 inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
@@ -41,7 +41,8 @@ void sum_points(const PointGroup* groups, const LaneWeights* weights, const Weig
   for (std::size_t g = 0; g < count; ++g) {
     const PointGroup& group = groups[list[g].group];
     const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
-    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2], *variance = group.variance, *inverse_area2 = group.inverse_area2;
+    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2], *variance = group.variance,
+                 *inverse_area2 = group.inverse_area2;
     const double* weight = weights[list[g].weights].weight;
     for (std::size_t j = 0; j < lanes; ++j) {
       const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
@@ -54,8 +55,7 @@ void sum_points(const PointGroup* groups, const LaneWeights* weights, const Weig
       const double hx = h * x, hy = h * y, hz = h * z, hv = h * v;
       const double xx = hx * x, xy = hx * y, xz = hx * z, yy = hy * y, yz = hy * z, zz = hz * z;
       add_moments(sum, 0, j, h, hx, hy, hz, xx, xy, xz, yy, yz, zz);
-      add_moments(sum, 10, j, h * w3, hx * w4, hy * w4, hz * w4,
-                  xx * w5, xy * w5, xz * w5, yy * w5, yz * w5, zz * w5);
+      add_moments(sum, 10, j, h * w3, hx * w4, hy * w4, hz * w4, xx * w5, xy * w5, xz * w5, yy * w5, yz * w5, zz * w5);
       sum.value[20][j] += hv;
       sum.value[21][j] += hv * i5;
     }
@@ -66,7 +66,8 @@ void sum_points(const PointGroup* groups, const LaneWeights* weights, const Weig
 /// With b = ∫u (x·n): ∫ h f ≈ h f + b·∇f, and the same for f |x|^{−m}, whose gradient along b has the further term
 /// −m (b·x)/|x|² f |x|^{−m}.
 II_VECTOR_CLONES
-void sum_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const FluxSums::Shell& shell, LaneSums& out)
+void sum_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count,
+                  const FluxSums::Shell& shell, LaneSums& out)
 {
   LaneSums sum = out;
   const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
@@ -95,11 +96,9 @@ void sum_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::si
       const double xx = hx * x + 2 * (bx * x), xy = hx * y + (bx * y + by * x), xz = hx * z + (bx * z + bz * x);
       const double yy = hy * y + 2 * (by * y), yz = hy * z + (by * z + bz * y), zz = hz * z + 2 * (bz * z);
       const double ex = beta5 * x, ey = beta5 * y, ez = beta5 * z;
-      add_moments(sum, 0, j, h, hx + bx, hy + by, hz + bz,
-                  xx, xy, xz, yy, yz, zz);
-      add_moments(sum, 10, j, h3 * w3, (h4 * x + bx) * w4, (h4 * y + by) * w4, (h4 * z + bz) * w4,
-                  (xx - ex * x) * w5, (xy - ex * y) * w5, (xz - ex * z) * w5,
-                  (yy - ey * y) * w5, (yz - ey * z) * w5, (zz - ez * z) * w5);
+      add_moments(sum, 0, j, h, hx + bx, hy + by, hz + bz, xx, xy, xz, yy, yz, zz);
+      add_moments(sum, 10, j, h3 * w3, (h4 * x + bx) * w4, (h4 * y + by) * w4, (h4 * z + bz) * w4, (xx - ex * x) * w5,
+                  (xy - ex * y) * w5, (xz - ex * z) * w5, (yy - ey * y) * w5, (yz - ey * z) * w5, (zz - ez * z) * w5);
       sum.value[20][j] += hv;
       sum.value[21][j] += hv * i5;
     }
@@ -121,13 +120,14 @@ void grow_to(double r, const LaneSums& sum, double (&out)[11][lanes])
 
 }  // namespace
 
-void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                          const Shell& shell)
+void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list,
+                          std::size_t count, const Shell& shell)
 {
   if (count > 0) sum_points(groups, weights, list, count, shell, lanes_);
 }
 
-void FluxSums::add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Shell& shell)
+void FluxSums::add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count,
+                            const Shell& shell)
 {
   if (count > 0) sum_clusters(groups, list, count, shell, lanes_);
 }

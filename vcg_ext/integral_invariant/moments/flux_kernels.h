@@ -51,8 +51,8 @@ struct WeighedGroup {
 };
 
 /// Sums over triangles of h f and h f |x|^{−(d+3)} for f = 1, x, x xᵀ, of degree d: x is a triangle's centroid from the
-/// balls' centre, h = x·∫n. A triangle counts by the integrand at its centroid and, as if it were round, half its variance
-/// times the integrand's Laplacian in its plane; a cluster with the integrand's gradient besides.
+/// balls' centre, h = x·∫n. A triangle counts by the integrand at its centroid and, as if it were round, half its
+/// variance times the integrand's Laplacian in its plane; a cluster with the integrand's gradient besides.
 class FluxSums {
  public:
   /// What lies in a shell about `centre`: squared distances over `inner` and not over `outer`.
@@ -68,7 +68,8 @@ class FluxSums {
   MomentSums up_to(double r) const;
 
   static constexpr std::size_t sums = 22;
-  /// Per lane: ten moments of h f, the same of h f |x|^{−(d+3)}, and what all three diagonal elements of each have besides.
+  /// Per lane: ten moments of h f, the same of h f |x|^{−(d+3)}, and what all three diagonal elements of each have
+  /// besides.
   struct alignas(64) Lanes {
     double value[sums][kernel_lanes] = {};
   };

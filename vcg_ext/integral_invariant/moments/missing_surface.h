@@ -8,8 +8,9 @@
 
 namespace integral_invariant {
 
-/// Angles under which free edges are seen from the centre, signed: positive where the surface ends there, negative where
-/// it begins again; and the same times the squared distance. The area missing from a flat disc is ½ (r² angle − moment).
+/// Angles under which free edges are seen from the centre, signed: positive where the surface ends there, negative
+/// where it begins again; and the same times the squared distance. The area missing from a flat disc is ½ (r² angle −
+/// moment).
 struct MissingSurface {
   double angle = 0, moment = 0;
 
@@ -30,8 +31,8 @@ double confidence(const MissingSurface& missing, double squared_radius);
 /// orientation turns over always end it.
 double free_edge_side(std::int32_t surplus, const Vec3& a, const Vec3& b, const Vec3& opposite);
 
-/// In lengths of an edge: an edge nearer to the centre than this passes through it (a vertex on another triangle's edge,
-/// rounded to single precision and then some).
+/// In lengths of an edge: an edge nearer to the centre than this passes through it (a vertex on another triangle's
+/// edge, rounded to single precision and then some).
 inline constexpr double touching = 1e-3;
 
 /// Whether the edge from a to b goes through the origin between its ends.

@@ -27,8 +27,10 @@ Sphere edge_sphere(const SpatialOrder& order, std::size_t index)
 
 SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense, Execution& execution)
     : order_(order_in_space(surface, merge_dense, execution)),
-      triangles_(order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }, execution),
-      free_edges_(order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }, execution),
+      triangles_(
+          order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }, execution),
+      free_edges_(
+          order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }, execution),
       is_border_(order_.points.size(), false)
 {
   for (const FreeEdge& edge : order_.free_edges) is_border_[edge.from] = is_border_[edge.to] = true;
@@ -102,8 +104,8 @@ void Neighbourhood::connect_points()
       for (const int other : {i + 1, i + 2}) neighbours[next[t.ring[i]]++] = t.ring[other];
 }
 
-NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii,
-                                             double reach, double small_edge, bool sum_far)
+NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii, double reach,
+                                             double small_edge, bool sum_far)
     : tree_(tree), radii_(radii), reach_(reach), small_edge_(small_edge), sum_far_(sum_far), table_(4096, 0)
 {
 }
@@ -140,7 +142,8 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
 
 int NeighbourhoodGatherer::common_scale(const Sphere& sphere) const
 {
-  const double distance = norm(sphere.centre - block_.centre), reach = sphere.radius + block_.radius + position_rounding;
+  const double distance = norm(sphere.centre - block_.centre),
+               reach = sphere.radius + block_.radius + position_rounding;
   const auto inside_from = std::lower_bound(radii_.begin(), radii_.end(), distance + reach);
   const auto touched_from = std::lower_bound(radii_.begin(), radii_.end(), distance - reach);
   return inside_from == touched_from ? int(inside_from - radii_.begin()) : -1;

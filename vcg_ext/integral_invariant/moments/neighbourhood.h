@@ -61,23 +61,23 @@ struct LocalFreeEdge {
 /// triangles that lie between the same two radii for all of the block's points are summed in `far`.
 struct Neighbourhood {
   Vec3 centre;
-  double radius = 0;                        ///< of the block's points about it
-  double reach = 0;                         ///< largest radius, of balls about the block's points, that counts here
-  std::vector<std::uint32_t> point_ids;     ///< local → SpatialOrder::points
-  std::vector<double> x, y, z;              ///< per local point; filled up to full lanes of the kernels
-  std::vector<LocalCorners> corners;        ///< per triangle
-  std::vector<LocalTriangle> triangles;     ///< in the same order
-  std::vector<double> longest_edges;        ///< of them
-  std::vector<std::uint8_t> lanes;          ///< their places in their leaves
-  std::uint32_t all_small_scale = 0;        ///< largest of the triangles' first scales
+  double radius = 0;                     ///< of the block's points about it
+  double reach = 0;                      ///< largest radius, of balls about the block's points, that counts here
+  std::vector<std::uint32_t> point_ids;  ///< local → SpatialOrder::points
+  std::vector<double> x, y, z;           ///< per local point; filled up to full lanes of the kernels
+  std::vector<LocalCorners> corners;     ///< per triangle
+  std::vector<LocalTriangle> triangles;  ///< in the same order
+  std::vector<double> longest_edges;     ///< of them
+  std::vector<std::uint8_t> lanes;       ///< their places in their leaves
+  std::uint32_t all_small_scale = 0;     ///< largest of the triangles' first scales
   double longest_edge = 0;
   std::vector<LocalLeaf> leaves;
-  SphereColumns leaf_spheres;               ///< that hold the leaves' triangles
-  SphereColumns point_groups;               ///< that hold kernel_lanes consecutive points each
-  std::vector<std::uint32_t> large;         ///< triangles that a sphere against which they are large may cut
+  SphereColumns leaf_spheres;        ///< that hold the leaves' triangles
+  SphereColumns point_groups;        ///< that hold kernel_lanes consecutive points each
+  std::vector<std::uint32_t> large;  ///< triangles that a sphere against which they are large may cut
   std::vector<LocalFreeEdge> free_edges;
   std::vector<std::uint32_t> neighbour_start, neighbours;  ///< points along triangle edges; only where asked for
-  std::vector<FluxMoments> far;             ///< per scale from which on they are inside; about `centre`
+  std::vector<FluxMoments> far;                            ///< per scale from which on they are inside; about `centre`
   std::vector<char> has_far;
 
   Vec3 point(std::uint32_t i) const { return {x[i], y[i], z[i]}; }

@@ -46,7 +46,8 @@ void sum_arcs(const double* const* column, std::size_t count, const double* cent
       sums.value[6][j] += 2 * (wy * sy);
       sums.value[7][j] += wy * sz + wz * sy;
       sums.value[8][j] += 2 * (wz * sz);
-      const double real = 0.5 * (nx * sx + ny * sy + nz * sz) + cosine2, imaginary = 0.5 * (nx * mx + ny * my + nz * mz);
+      const double real = 0.5 * (nx * sx + ny * sy + nz * sz) + cosine2,
+                   imaginary = 0.5 * (nx * mx + ny * my + nz * mz);
       const double old_real = sums.real[j], old_imaginary = sums.imaginary[j];
       sums.real[j] = old_real * real - old_imaginary * imaginary;
       sums.imaginary[j] = old_imaginary * real + old_real * imaginary;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surface engine: which scales points and spheres belong to, as inner loops on arrays; for their rules see ball_kernels.h.
+// Surface engine: which scales points and spheres belong to, as inner loops on arrays; for their rules see
+// ball_kernels.h.
 #include "integral_invariant/moments/scale_kernels.h"
 
 #include <cmath>
@@ -41,8 +42,8 @@ void SphereColumns::pad()
 }
 
 II_VECTOR_CLONES
-void find_scale_ranges(const SphereColumns& spheres, const Vec3& centre, double extent, const std::vector<double>& radii,
-                       std::uint8_t* least, std::uint8_t* largest)
+void find_scale_ranges(const SphereColumns& spheres, const Vec3& centre, double extent,
+                       const std::vector<double>& radii, std::uint8_t* least, std::uint8_t* largest)
 {
   const double *x = spheres.x.data(), *y = spheres.y.data(), *z = spheres.z.data(), *radius = spheres.radius.data();
   const double* limits = radii.data();

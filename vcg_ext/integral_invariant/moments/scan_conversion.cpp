@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 1, FFT engine: exact covered fractions of cells. A triangle seen along z covers, with the sign of its
 // orientation, the part of each column below it; cut along the planes of the grid it falls into pieces that each lie in
-// one cell, and a piece of area a (seen along z) at mean height t above the floor of its cell adds a·t to that cell and a
-// to all cells below. Differences along z are stored, and one running sum from the top makes them fractions.
+// one cell, and a piece of area a (seen along z) at mean height t above the floor of its cell adds a·t to that cell and
+// a to all cells below. Differences along z are stored, and one running sum from the top makes them fractions.
 #include "integral_invariant/moments/scan_conversion.h"
 
 #include <algorithm>
@@ -42,7 +42,8 @@ Range range_along(const Polygon& polygon)
 }
 
 /// Adds to both the point where the edge from a (below the plane) to b (above) meets it. Always taken from below to
-/// above, so that the two triangles at an edge are cut at the same point to the last bit and no area is lost between them.
+/// above, so that the two triangles at an edge are cut at the same point to the last bit and no area is lost between
+/// them.
 template <int axis>
 void add_cut(const Point& a, const Point& b, double plane, Polygon& below, Polygon& above)
 {
@@ -68,7 +69,8 @@ void split(const Polygon& polygon, double plane, Polygon& below, Polygon& above)
   }
 }
 
-/// Calls `visit(index, part)` for the parts of the polygon in the slabs [index, index + 1] along `axis`, 0 ≤ index < count.
+/// Calls `visit(index, part)` for the parts of the polygon in the slabs [index, index + 1] along `axis`, 0 ≤ index <
+/// count.
 template <int axis, class Visitor>
 void for_each_slab(const Polygon& polygon, int count, const Visitor& visit)
 {
@@ -185,15 +187,14 @@ void carry_planes(const Surface& surface, const VoxelGrid& grid, const CellBox& 
 }
 
 void scan_convert(const Surface& surface, const VoxelGrid& grid, const CellBox& box,
-                  const std::vector<std::uint32_t>& triangles, const float* carry, float* cells,
-                  std::size_t row_stride)
+                  const std::vector<std::uint32_t>& triangles, const float* carry, float* cells, std::size_t row_stride)
 {
   const std::size_t columns = std::size_t(box.size[0]) * std::size_t(box.size[1]);
   std::fill(cells, cells + columns * row_stride, 0.0f);
   for (const std::uint32_t index : triangles) {
     const Polygon triangle = triangle_in_box(surface, index, grid, box);
-    if (misses(range_along<0>(triangle), box.size[0]) ||
-        misses(range_along<1>(triangle), box.size[1]) || misses(range_along<2>(triangle), box.size[2]))
+    if (misses(range_along<0>(triangle), box.size[0]) || misses(range_along<1>(triangle), box.size[1]) ||
+        misses(range_along<2>(triangle), box.size[2]))
       continue;
     for_each_slab<0>(triangle, box.size[0], [&](int i, const Polygon& slab) {
       for_each_slab<1>(slab, box.size[1], [&](int j, const Polygon& column) {

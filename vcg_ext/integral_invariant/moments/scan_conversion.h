@@ -28,9 +28,9 @@ struct CellBox {
 };
 
 /// For each of the heights `tops` (in cells, increasing) the area of each column of `box` that the solid covers just
-/// above that height: what scan_convert() cannot see because it lies above its box. `planes` takes tops.size() planes of
-/// box.size[0] × box.size[1] floats; box's z is not used.
-/// `triangles` must name every triangle that touches a column of the box anywhere above the lowest top.
+/// above that height: what scan_convert() cannot see because it lies above its box. `planes` takes tops.size() planes
+/// of box.size[0] × box.size[1] floats; box's z is not used. `triangles` must name every triangle that touches a column
+/// of the box anywhere above the lowest top.
 void carry_planes(const Surface& surface, const VoxelGrid& grid, const CellBox& box,
                   const std::vector<std::uint32_t>& triangles, const std::vector<std::int64_t>& tops, float* planes);
 

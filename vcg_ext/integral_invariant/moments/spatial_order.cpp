@@ -37,8 +37,8 @@ std::vector<Key> sorted_keys(const Surface& surface)
   return keys;
 }
 
-/// Where a cell of about an edge's length holds more vertices than this, they are merged over cells of 1/32 of it: no ball
-/// sees such detail, and without a bound on the density a fan of n triangles costs n².
+/// Where a cell of about an edge's length holds more vertices than this, they are merged over cells of 1/32 of it: no
+/// ball sees such detail, and without a bound on the density a fan of n triangles costs n².
 constexpr std::size_t dense_cell = 1000;
 constexpr int merged_levels = 5;
 
@@ -52,7 +52,8 @@ std::vector<int> merged_bits(const Surface& surface, const std::vector<Key>& key
   for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
     while (end < keys.size() && keys[end].index >> cell_bits == keys[begin].index >> cell_bits) ++end;
     if (end - begin > dense_cell)
-      std::fill(bits.begin() + std::ptrdiff_t(begin), bits.begin() + std::ptrdiff_t(end), cell_bits - 3 * merged_levels);
+      std::fill(bits.begin() + std::ptrdiff_t(begin), bits.begin() + std::ptrdiff_t(end),
+                cell_bits - 3 * merged_levels);
   }
   return bits;
 }
@@ -120,7 +121,8 @@ void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& p
                                        std::int32_t(point_of[std::size_t(triangle[1])]),
                                        std::int32_t(point_of[std::size_t(triangle[2])])});
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    const Vec3 sum = order.points[std::size_t(t[0])] + order.points[std::size_t(t[1])] + order.points[std::size_t(t[2])];
+    const Vec3 sum =
+        order.points[std::size_t(t[0])] + order.points[std::size_t(t[1])] + order.points[std::size_t(t[2])];
     items.push_back(placed(sum, kept.size()));
     kept.push_back(t);
   }
@@ -177,7 +179,8 @@ void find_free_edges(SpatialOrder& order, Execution& execution)
   // Filled, a bucket ends where its start has moved to.
   parallel_step(order.points.size(), 8192, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t point = begin; point < end; ++point)
-      std::sort(edges.begin() + std::ptrdiff_t(point == 0 ? 0 : start[point - 1]), edges.begin() + std::ptrdiff_t(start[point]), less);
+      std::sort(edges.begin() + std::ptrdiff_t(point == 0 ? 0 : start[point - 1]),
+                edges.begin() + std::ptrdiff_t(start[point]), less);
   });
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) ++j;

@@ -3,7 +3,8 @@
 //
 // What a plane piece U gives to the moments of the ball is the flux of a field that does not pass the sphere,
 //   flux(U) = h/(d+3) ∫_U f (1 − (r/|x|)^{d+3}) dA,   f = 1, x, x xᵀ of degree d,   h the plane's signed distance.
-// The part of a triangle inside the ball is its corner (cut off by straight chords) and circular segments beyond chords.
+// The part of a triangle inside the ball is its corner (cut off by straight chords) and circular segments beyond
+// chords.
 #pragma once
 
 #include <array>

@@ -19,7 +19,8 @@ struct Sphere {
 /// Smallest sphere about the centre of the box of `count` spheres that holds them all.
 Sphere bounding_sphere(const Sphere* spheres, std::size_t count);
 
-/// Leaves hold `leaf_size` consecutive items, nodes `fan_out` consecutive nodes of the level below; level 0 are the leaves.
+/// Leaves hold `leaf_size` consecutive items, nodes `fan_out` consecutive nodes of the level below; level 0 are the
+/// leaves.
 class SphereTree {
  public:
   static constexpr std::size_t leaf_size = 8, fan_out = 4;

@@ -48,7 +48,8 @@ ArcTerms great_arc(const Vec3& a, const Vec3& b)
   const double t = 0.25 * squared_norm(a - b), squared_cosine = 0.25 * squared_norm(a + b);
   if (squared_cosine < 1e-30) return {};
   const Vec3 normal = cross(a, b);
-  const double angle = 2 * std::atan2(std::sqrt(t), std::sqrt(squared_cosine)), sine = 2 * std::sqrt(t * squared_cosine);
+  const double angle = 2 * std::atan2(std::sqrt(t), std::sqrt(squared_cosine)),
+               sine = 2 * std::sqrt(t * squared_cosine);
   const double ratio = t < 1e-3 ? arc_over_sine(t) : angle / sine;
   // −(1/6)(ν wᵀ + w νᵀ) with ν = −a×b/sin θ and w = ∫x ds = tan(θ/2) (a + b).
   return {normal * (0.5 * ratio), symmetric_outer(normal, a + b) * (1 / (12 * squared_cosine))};

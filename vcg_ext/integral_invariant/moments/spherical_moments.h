@@ -32,8 +32,8 @@ double arc_over_sine(double t);
 /// The shorter great arc from the unit vector a to the unit vector b; zero where they are opposite.
 ArcTerms great_arc(const Vec3& a, const Vec3& b);
 
-/// The region between the circle {n·x = c} and the chord of two of its points: bounded by the circle from a to b, counter-
-/// clockwise about the unit vector n through the angle `turn` in (0, 2π), and the great arc from b back to a.
+/// The region between the circle {n·x = c} and the chord of two of its points: bounded by the circle from a to b,
+/// counter- clockwise about the unit vector n through the angle `turn` in (0, 2π), and the great arc from b back to a.
 /// Positive for c > 0, negative for c < 0 (where the circle turns right as seen from outside).
 SphericalMoments circle_lens(const Vec3& n, double c, const Vec3& a, const Vec3& b, double turn);
 

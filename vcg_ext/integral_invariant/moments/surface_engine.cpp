@@ -18,9 +18,12 @@ namespace {
 double small_edge(Exactness exactness)
 {
   switch (exactness) {
-    case Exactness::exact: return 0;
-    case Exactness::balanced: return 1.5;
-    case Exactness::fast: return 3;
+    case Exactness::exact:
+      return 0;
+    case Exactness::balanced:
+      return 1.5;
+    case Exactness::fast:
+      return 3;
   }
   return 0;
 }
@@ -53,8 +56,8 @@ class SurfaceEngine : public MomentEngine {
   }
 
  private:
-  /// Up to which radius (edges) closed forms are worth their time. What compares scales takes the quadrature's error for
-  /// noise or bias, where there is little of these: measured by benchmarks/accuracy.
+  /// Up to which radius (edges) closed forms are worth their time. What compares scales takes the quadrature's error
+  /// for noise or bias, where there is little of these: measured by benchmarks/accuracy.
   double widest_near() const
   {
     const bool compares_scales =
@@ -67,7 +70,8 @@ class SurfaceEngine : public MomentEngine {
     ClosedForms(const SurfaceTree& tree, const std::vector<double>& radii, double reach, const Parameters& parameters,
                 LastRadius last_radius)
         : gatherer(tree, radii, reach, small_edge(parameters.exactness), !parameters.same_sheet),
-          vicinity(tree, radii, !parameters.same_sheet), evaluator(radii, parameters.same_sheet, last_radius)
+          vicinity(tree, radii, !parameters.same_sheet),
+          evaluator(radii, parameters.same_sheet, last_radius)
     {
     }
     NeighbourhoodGatherer gatherer;
@@ -77,7 +81,8 @@ class SurfaceEngine : public MomentEngine {
 
   /// Of one thread. Blocks whose triangles are too large for points beyond a rim take the closed forms throughout.
   struct Worker {
-    Worker(const SurfaceTree& tree, const std::vector<double>& radii, const ScaleSplit& split, const Parameters& parameters)
+    Worker(const SurfaceTree& tree, const std::vector<double>& radii, const ScaleSplit& split,
+           const Parameters& parameters)
         : all(tree, radii, radii.back(), parameters, LastRadius::ball)
     {
       if (split.far.empty()) return;
@@ -165,13 +170,15 @@ class SurfaceEngine : public MomentEngine {
 
 }  // namespace
 
-std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters, Execution& execution)
+std::unique_ptr<MomentEngine> make_surface_engine(const Surface& surface, const Parameters& parameters,
+                                                  Execution& execution)
 {
   // Measured: places, order, hierarchy with its moments, and the lists that sorting needs meanwhile.
   constexpr double bytes_per_vertex = 140, bytes_per_triangle = 60;
-  require_memory(bytes_per_vertex * double(surface.vertex_count()) + bytes_per_triangle * double(surface.triangles().size()),
-                 parameters.memory_limit_mb, "The surface engine for " + std::to_string(surface.triangles().size()) +
-                 " triangles", "Reduce the number of triangles");
+  require_memory(
+      bytes_per_vertex * double(surface.vertex_count()) + bytes_per_triangle * double(surface.triangles().size()),
+      parameters.memory_limit_mb, "The surface engine for " + std::to_string(surface.triangles().size()) + " triangles",
+      "Reduce the number of triangles");
   return std::make_unique<SurfaceEngine>(surface, parameters, execution);
 }
 

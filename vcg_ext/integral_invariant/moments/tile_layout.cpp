@@ -23,7 +23,8 @@ constexpr int tile_edges[] = {16, 32, 64, 128, 256, 512};
 constexpr std::size_t sampled_vertices = 50000, samples_per_tile = 20;
 
 constexpr const char* coarser_advice =
-    "Lower fft_cells_per_radius, raise r_min, raise the memory limit, or use the surface integral engine, which needs no grid.";
+    "Lower fft_cells_per_radius, raise r_min, raise the memory limit, or use the surface integral engine, which needs "
+    "no grid.";
 
 bool is_smooth(int n)
 {
@@ -162,11 +163,11 @@ TileShape cheapest_shape(const Surface& surface, const VoxelGrid& grid, const Ex
   return best;
 }
 
-/// Calls visit(row) for the rows that a triangle touches, rows being tiles or stacks in lexicographic order. `axes` is 3
-/// for tiles, 2 for stacks.
+/// Calls visit(row) for the rows that a triangle touches, rows being tiles or stacks in lexicographic order. `axes` is
+/// 3 for tiles, 2 for stacks.
 template <class Visitor>
-void for_each_row(const Surface& surface, const TileLayout& layout, const std::vector<TileIndex>& rows, std::size_t axes,
-                  const Triangle& triangle, const Visitor& visit)
+void for_each_row(const Surface& surface, const TileLayout& layout, const std::vector<TileIndex>& rows,
+                  std::size_t axes, const Triangle& triangle, const Visitor& visit)
 {
   TileIndex first{}, last{};
   double candidates = 1;
@@ -255,8 +256,9 @@ TileLayout make_tile_layout(const Surface& surface, double radius, double cells_
   // Cells grow with the inverse square of the radius, and under it a ball sees a single triangle.
   constexpr double smallest_radius = 0.1;
   if (radius < smallest_radius)
-    throw ParameterError("The smallest radius is under a tenth of the average edge length, which the voxel engine's grid cannot "
-                         "resolve at a bearable cost. Raise r_min (or radius), or use the surface integral engine.");
+    throw ParameterError(
+        "The smallest radius is under a tenth of the average edge length, which the voxel engine's grid cannot "
+        "resolve at a bearable cost. Raise r_min (or radius), or use the surface integral engine.");
   TileLayout layout;
   const Bounds bounds = bounds_of(surface);
   layout.grid = {bounds.low, radius / cells_per_radius};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 1, FFT engine: which boxes of the grid are transformed for one radius. In: a surface, a radius. Out: tiles of
-// one size that hold all vertices, each with its vertices and triangles (overlap-save: neighbouring boxes overlap by the
-// radius). Cost O(n + m) per tile size tried. Depends on the surface and the parameters only, never on the threads.
+// one size that hold all vertices, each with its vertices and triangles (overlap-save: neighbouring boxes overlap by
+// the radius). Cost O(n + m) per tile size tried. Depends on the surface and the parameters only, never on the threads.
 #pragma once
 
 #include <array>

@@ -10,7 +10,8 @@ namespace integral_invariant {
 namespace {
 
 constexpr double turn = 6.28318530717958647692;
-/// Rays that nearly coincide are the two sides of one cut (a vertex on another triangle's edge), not a gap of a full turn.
+/// Rays that nearly coincide are the two sides of one cut (a vertex on another triangle's edge), not a gap of a full
+/// turn.
 constexpr double same_ray = 0.05;
 constexpr double longest_step = 1.5;  // of the way through a gap: well under half a turn
 

@@ -9,9 +9,9 @@
 
 namespace integral_invariant {
 
-/// Narrows a neighbourhood down in two steps. What lies between the same two spheres for all of the points in question is
-/// left out and its moments are summed; all moments are about the neighbourhood's centre, so that sums of the first step
-/// serve the second one as they are.
+/// Narrows a neighbourhood down in two steps. What lies between the same two spheres for all of the points in question
+/// is left out and its moments are summed; all moments are about the neighbourhood's centre, so that sums of the first
+/// step serve the second one as they are.
 class Vicinity {
  public:
   /// `sum_far` as for the gatherer: without it, leaves are left out only where they are beyond the largest radius.
@@ -47,13 +47,13 @@ class Vicinity {
   std::vector<double> squared_radii_;
   const bool sum_far_;
   const Neighbourhood* near_ = nullptr;
-  std::vector<FluxMoments> leaf_moments_;        ///< per leaf of the neighbourhood, where asked for before
+  std::vector<FluxMoments> leaf_moments_;  ///< per leaf of the neighbourhood, where asked for before
   std::vector<char> has_leaf_moments_;
   std::vector<std::uint8_t> least_, largest_;
   std::vector<std::uint32_t> close_leaves_, leaves_, close_large_;
   SphereColumns close_spheres_;
   Far close_far_, far_;
-  std::vector<std::uint8_t> common_scale_;       ///< per point, for the groups that no sphere cuts
+  std::vector<std::uint8_t> common_scale_;  ///< per point, for the groups that no sphere cuts
   std::vector<std::uint32_t> cut_groups_;
 };
 

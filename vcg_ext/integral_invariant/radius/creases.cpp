@@ -39,7 +39,8 @@ bool is_polynomial(const VertexFit& fit)
 }
 
 /// Along the edges from the vertices in `is_start`, as far as `limit`.
-std::vector<float> distances(const Surface& surface, const std::vector<char>& is_start, double limit, Execution& execution)
+std::vector<float> distances(const Surface& surface, const std::vector<char>& is_start, double limit,
+                             Execution& execution)
 {
   using Reached = std::pair<float, std::uint32_t>;
   std::vector<float> distance(is_start.size(), INFINITY);

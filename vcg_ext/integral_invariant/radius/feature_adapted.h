@@ -16,9 +16,9 @@ namespace integral_invariant {
 std::vector<double> start_radii(const TensorField& tensors, StartRadius rule, Execution& execution);
 
 struct AdaptedRadii {
-  std::vector<double> radius;      ///< n, normalised unit, within the range of the scales
-  std::size_t converged = 0;       ///< vertices whose last relative change fell under the tolerance
-  double mean_iterations = 0;      ///< over all vertices
+  std::vector<double> radius;  ///< n, normalised unit, within the range of the scales
+  std::size_t converged = 0;   ///< vertices whose last relative change fell under the tolerance
+  double mean_iterations = 0;  ///< over all vertices
   int largest_iterations = 0;
 };
 

@@ -15,11 +15,11 @@ inline constexpr double least_radius_over_sigma = 6;
 
 /// Noise along the normal, one entry a vertex; normalised units.
 struct Noise {
-  std::vector<double> offset;   ///< δ: height of the smooth surface over the vertex
-  std::vector<double> sigma;    ///< local standard deviation of δ
-  std::vector<double> density;  ///< s² = σ² · (area a vertex); see disc_variance
-  std::vector<double> flatness; ///< what the triangles' flatness costs: an error of the curvature of flatness / r⁴
-  double mean_sigma = 0;        ///< root mean square of sigma
+  std::vector<double> offset;    ///< δ: height of the smooth surface over the vertex
+  std::vector<double> sigma;     ///< local standard deviation of δ
+  std::vector<double> density;   ///< s² = σ² · (area a vertex); see disc_variance
+  std::vector<double> flatness;  ///< what the triangles' flatness costs: an error of the curvature of flatness / r⁴
+  double mean_sigma = 0;         ///< root mean square of sigma
 };
 
 /// σ² is the mean over the neighbourhood of what the polynomials through the nearest vertices leave over

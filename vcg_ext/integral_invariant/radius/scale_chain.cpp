@@ -17,11 +17,11 @@ double dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 /// Components that are added by the same weights, of one vertex.
 struct Strand {
-  double variance = 0;          ///< of value's error
-  double detail_variance = 0;   ///< of detail's error
-  double covariance = 0;        ///< of both errors
-  double shape_variance = 1e30; ///< P of the scale before
-  bool is_drowned = false;      ///< a scale showed nothing but noise
+  double variance = 0;           ///< of value's error
+  double detail_variance = 0;    ///< of detail's error
+  double covariance = 0;         ///< of both errors
+  double shape_variance = 1e30;  ///< P of the scale before
+  bool is_drowned = false;       ///< a scale showed nothing but noise
 };
 
 /// What is known about one vertex on the way from its largest scale down.
@@ -34,9 +34,16 @@ struct State {
 class Chain {
  public:
   Chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution)
-      : signal_(signal), strands_(signal.evidence == Evidence::each ? signal.components : 1),
-        of_each_(signal.components / strands_), e_(evidence), execution_(execution), n_(evidence.least_radius.size()), scales_(evidence.radii.size()), states_(n_),
-        slope_(n_), innovation_(n_)
+      : signal_(signal),
+        strands_(signal.evidence == Evidence::each ? signal.components : 1),
+        of_each_(signal.components / strands_),
+        e_(evidence),
+        execution_(execution),
+        n_(evidence.least_radius.size()),
+        scales_(evidence.radii.size()),
+        states_(n_),
+        slope_(n_),
+        innovation_(n_)
   {
   }
 
@@ -97,8 +104,8 @@ class Chain {
     });
   }
 
-  /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias. Where
-  /// details do not stand out of the noise, which vertices less than a radius apart share, it stays with r².
+  /// β of step i: the noise of a difference is independent of all that came before, so the regression has no bias.
+  /// Where details do not stand out of the noise, which vertices less than a radius apart share, it stays with r².
   void regress(int i)
   {
     constexpr double doubt_share = 0.1;

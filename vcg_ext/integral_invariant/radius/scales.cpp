@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The radii of the scales [Lai09 4.1]. In: the parameters, lengths in the caller's unit. Out: radii in normalised units.
+// The radii of the scales [Lai09 4.1]. In: the parameters, lengths in the caller's unit. Out: radii in normalised
+// units.
 #include "integral_invariant/radius/scales.h"
 
 #include <algorithm>
@@ -48,8 +49,8 @@ void require_radius(const char* name, double radius, double unit)
 {
   if (radius >= smallest_radius && radius <= largest_radius) return;
   std::ostringstream text;
-  text << "The radius '" << name << "' is " << radius * unit << ", but must be from " << smallest_radius * unit << " to "
-       << largest_radius * unit << " (" << smallest_radius << " to " << largest_radius
+  text << "The radius '" << name << "' is " << radius * unit << ", but must be from " << smallest_radius * unit
+       << " to " << largest_radius * unit << " (" << smallest_radius << " to " << largest_radius
        << " average edge lengths). Change it, or set it to 0 for its automatic value.";
   throw ParameterError(text.str());
 }

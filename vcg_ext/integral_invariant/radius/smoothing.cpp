@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 4: bilateral smoothing of the radius. In and out: a radius per vertex. Cost: O(n) a pass. Source: [Lai09 eq. 9].
+// Stage 4: bilateral smoothing of the radius. In and out: a radius per vertex. Cost: O(n) a pass. Source: [Lai09 eq.
+// 9].
 #include "integral_invariant/radius/smoothing.h"
 
 #include <cmath>

@@ -69,29 +69,32 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
     signal->values.resize(n * scales);
     signal->noise.resize(n * scales);
   }
-  parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v)
-      for (std::size_t i = 0; i < scales; ++i) {
-        const std::size_t place = v * scales + i;
-        const Components c = components_of(tensors.at_scale(v, int(i)), frames[v]);
-        s.mean.values[place] = {float(c.mean), 0};
-        s.deviator.values[place] = {float(c.deviator[0]), float(c.deviator[1])};
-        s.normal.values[place] = {float(c.normal[0]), float(c.normal[1])};
-        if (balls.origin[place] == Origin::vertices) {
-          const std::array<float, 3>& variance = balls.variance[place];
-          const float square = float(noise.sigma[v] * noise.sigma[v]);
-          s.mean.noise[place] = variance[0] * square;
-          s.deviator.noise[place] = variance[1] * square;
-          s.normal.noise[place] = variance[2] * square;
-          continue;
-        }
-        const double r2 = tensors.radii()[i] * tensors.radii()[i], density = noise.density[v];
-        const double flat = noise.flatness[v] * noise.flatness[v] / (r2 * r2 * r2 * r2);
-        s.mean.noise[place] = float(disc_variance::mean_curvature * density / (r2 * r2 * r2) + flat);
-        s.deviator.noise[place] = float(disc_variance::deviator * density / (r2 * r2 * r2) + flat);
-        s.normal.noise[place] = float(disc_variance::normal * density / (r2 * r2));
-      }
-  }, 0.2, 0.3);
+  parallel_for(
+      n, 2048, execution,
+      [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t v = begin; v < end; ++v)
+          for (std::size_t i = 0; i < scales; ++i) {
+            const std::size_t place = v * scales + i;
+            const Components c = components_of(tensors.at_scale(v, int(i)), frames[v]);
+            s.mean.values[place] = {float(c.mean), 0};
+            s.deviator.values[place] = {float(c.deviator[0]), float(c.deviator[1])};
+            s.normal.values[place] = {float(c.normal[0]), float(c.normal[1])};
+            if (balls.origin[place] == Origin::vertices) {
+              const std::array<float, 3>& variance = balls.variance[place];
+              const float square = float(noise.sigma[v] * noise.sigma[v]);
+              s.mean.noise[place] = variance[0] * square;
+              s.deviator.noise[place] = variance[1] * square;
+              s.normal.noise[place] = variance[2] * square;
+              continue;
+            }
+            const double r2 = tensors.radii()[i] * tensors.radii()[i], density = noise.density[v];
+            const double flat = noise.flatness[v] * noise.flatness[v] / (r2 * r2 * r2 * r2);
+            s.mean.noise[place] = float(disc_variance::mean_curvature * density / (r2 * r2 * r2) + flat);
+            s.deviator.noise[place] = float(disc_variance::deviator * density / (r2 * r2 * r2) + flat);
+            s.normal.noise[place] = float(disc_variance::normal * density / (r2 * r2));
+          }
+      },
+      0.2, 0.3);
   return s;
 }
 
@@ -146,13 +149,16 @@ void remove_own_bias(TensorField& tensors, const Noise& noise, Execution& execut
   // Half of a vertex's variance is left where triangles average their three corners.
   constexpr double surface_share = 0.5;
   const std::vector<double>& radii = tensors.radii();
-  parallel_for(tensors.vertex_count(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v)
-      for (std::size_t i = 0; i < radii.size(); ++i) {
-        const double variance = surface_share * noise.sigma[v] * noise.sigma[v];
-        tensors.set(v, int(i), without_own_bias(tensors.at_scale(v, int(i)), radii[i], noise.offset[v], variance));
-      }
-  }, 0, 0.1);
+  parallel_for(
+      tensors.vertex_count(), 2048, execution,
+      [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t v = begin; v < end; ++v)
+          for (std::size_t i = 0; i < radii.size(); ++i) {
+            const double variance = surface_share * noise.sigma[v] * noise.sigma[v];
+            tensors.set(v, int(i), without_own_bias(tensors.at_scale(v, int(i)), radii[i], noise.offset[v], variance));
+          }
+      },
+      0, 0.1);
 }
 
 CurvatureTensor assemble(const Frame& f, double mean, const std::array<double, 2>& deviator,
@@ -161,8 +167,8 @@ CurvatureTensor assemble(const Frame& f, double mean, const std::array<double, 2
   const double in_plane = std::min(0.99, tilt[0] * tilt[0] + tilt[1] * tilt[1]);
   const Vec3 normal = normalized(f.u * tilt[0] + f.v * tilt[1] + f.normal * std::sqrt(1 - in_plane), f.normal);
   const Vec3 u = turned(f.u, f.normal, normal), v = turned(f.v, f.normal, normal);
-  const Symmetric3 k = outer(u) * (mean + deviator[0]) + outer(v) * (mean - deviator[0]) +
-                       symmetric_outer(u, v) * deviator[1];
+  const Symmetric3 k =
+      outer(u) * (mean + deviator[0]) + outer(v) * (mean - deviator[0]) + symmetric_outer(u, v) * deviator[1];
   return {k, normal, 1};
 }
 

@@ -8,8 +8,7 @@
 
 namespace integral_invariant {
 
-void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result,
-                     Execution& execution)
+void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result, Execution& execution)
 {
   constexpr double largest_energy = 25, evident_energy = 12, least_share = 1.5, undeniable_energy = 40;
   constexpr double least_noise = 1e-30;  // of fits that are exact: energies stay finite

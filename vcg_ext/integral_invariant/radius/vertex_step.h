@@ -21,7 +21,6 @@ struct FittedSignal {
 /// A fit to the vertices sees no flat triangles and has almost no bias, but the most noise of all: it is added to the
 /// chain's result as one more scale, x̂ + w (Y − x̂) with w = P/(P + N), N the fit's noise and P/N the mean over the
 /// neighbourhood of |Y − x̂|²/N less 1. Without noise w is 1. Cost O(n).
-void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result,
-                     Execution& execution);
+void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result, Execution& execution);
 
 }  // namespace integral_invariant

@@ -109,13 +109,16 @@ void replace_cut_balls(const Surface& surface, const Noise& noise, const Creases
   balls.variance.resize(n * scales);
   const std::vector<Vec3> normals = patch_normals(surface);
   VertexFitters fitters(surface, execution, creases.is_crease);
-  parallel_for(cut.size(), 64, execution, [&](std::size_t begin, std::size_t end, int worker) {
-    VertexFitter& fitter = fitters.of(worker);
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t v = cut[i];
-      fill_from_vertices(v, normals[v], noise.sigma[v], creases, fitter, removes_bias, tensors, balls);
-    }
-  }, 0.15, 0.2);
+  parallel_for(
+      cut.size(), 64, execution,
+      [&](std::size_t begin, std::size_t end, int worker) {
+        VertexFitter& fitter = fitters.of(worker);
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::uint32_t v = cut[i];
+          fill_from_vertices(v, normals[v], noise.sigma[v], creases, fitter, removes_bias, tensors, balls);
+        }
+      },
+      0.15, 0.2);
 }
 
 /// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet,
@@ -208,15 +211,22 @@ WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& of
   WholeBalls balls;
   balls.origin.assign(n * scales, Origin::none);
   balls.largest.resize(n);
-  parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v) find_own_balls(v, &offsets[v * scales], noise.sigma[v], tensors, balls);
-  }, 0.1, 0.12);
+  parallel_for(
+      n, 2048, execution,
+      [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t v = begin; v < end; ++v)
+          find_own_balls(v, &offsets[v * scales], noise.sigma[v], tensors, balls);
+      },
+      0.1, 0.12);
   const Creases creases = find_creases(surface, tensors, fits, noise, execution);
   give_up_creased_balls(creases, tensors.radii(), balls);
   replace_cut_balls(surface, noise, creases, removes_bias, tensors, balls, execution);
-  parallel_for(n, 2048, execution, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, noise.sigma[v], balls);
-  }, 0.15, 0.2);
+  parallel_for(
+      n, 2048, execution,
+      [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, noise.sigma[v], balls);
+      },
+      0.15, 0.2);
   keep_one_scale_on_creases(creases, tensors.radii(), noise, balls);
   return balls;
 }

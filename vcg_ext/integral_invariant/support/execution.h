@@ -63,8 +63,8 @@ using RangeBody = std::function<void(std::size_t begin, std::size_t end, int wor
 /// takes which block is not defined, so results must depend on the index alone. Serial when one block is enough.
 /// Reports progress meanwhile: the stage's fraction runs from `from` to `to`.
 /// \throw the first exception thrown by a body; Cancelled. All workers have ended by then.
-void parallel_for(std::size_t count, std::size_t grain, Execution& execution, const RangeBody& body,
-                  double from = 0, double to = 1);
+void parallel_for(std::size_t count, std::size_t grain, Execution& execution, const RangeBody& body, double from = 0,
+                  double to = 1);
 /// The same for one step of a stage: progress stays where it is.
 inline void parallel_step(std::size_t count, std::size_t grain, Execution& execution, const RangeBody& body)
 {

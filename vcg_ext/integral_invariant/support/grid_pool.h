@@ -12,8 +12,8 @@
 namespace integral_invariant {
 
 /// Weighted sums over the places around each of a set of places, in time that does not depend on how many there are:
-/// values are shared out to the corners of a grid and read back from there, both trilinearly. The kernel reaches 2 cells
-/// and has standard deviation 0.58 cells along each axis; its largest value is under 1.
+/// values are shared out to the corners of a grid and read back from there, both trilinearly. The kernel reaches 2
+/// cells and has standard deviation 0.58 cells along each axis; its largest value is under 1.
 class GridPool {
  public:
   /// Cost O(n), 44 bytes a place; the less the nearer consecutive places are.

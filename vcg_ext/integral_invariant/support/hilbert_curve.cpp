@@ -28,8 +28,8 @@ struct Cells {
   std::uint32_t x[count], y[count], z[count];
 };
 
-/// Exchanges and reflects the axes, from the largest octant down, so that each octant's curve starts where the one before
-/// it ended.
+/// Exchanges and reflects the axes, from the largest octant down, so that each octant's curve starts where the one
+/// before it ended.
 void unfold(Cells& c)
 {
   for (int bit = HilbertCurve::bits - 1; bit > 0; --bit) {

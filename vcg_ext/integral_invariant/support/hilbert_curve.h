@@ -17,8 +17,8 @@ class HilbertCurve {
   /// Through the cube of the given centre and half side (of any size; 0 and what overflows make a single cell).
   HilbertCurve(const Vec3& centre, double half_side);
 
-  /// Place along the curve, in [0, 2^(3 bits)), of the cell that holds each of the points; outside the cube, of the nearest
-  /// cell. 25 ns a point.
+  /// Place along the curve, in [0, 2^(3 bits)), of the cell that holds each of the points; outside the cube, of the
+  /// nearest cell. 25 ns a point.
   std::vector<std::uint64_t> indices(const std::vector<Vec3>& points) const;
 
  private:

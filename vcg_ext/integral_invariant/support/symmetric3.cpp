@@ -44,8 +44,8 @@ Vec3 best_aligned(const Symmetric3& s, const Vec3& guess)
 
 Vec3 eigenvector_along(const Symmetric3& s, const Vec3& guess)
 {
-  constexpr int max_steps = 6;          // convergence is cubic; two or three steps are usual
-  constexpr double converged = 1e-14;   // squared change of a unit vector: the next one would be its cube
+  constexpr int max_steps = 6;            // convergence is cubic; two or three steps are usual
+  constexpr double converged = 1e-14;     // squared change of a unit vector: the next one would be its cube
   constexpr double surely_best = 0.7072;  // > 1/sqrt(2): no orthogonal vector is better aligned
 
   Vec3 v = guess;

@@ -13,7 +13,12 @@ struct Symmetric3 {
 
   Symmetric3& operator+=(const Symmetric3& b)
   {
-    xx += b.xx; xy += b.xy; xz += b.xz; yy += b.yy; yz += b.yz; zz += b.zz;
+    xx += b.xx;
+    xy += b.xy;
+    xz += b.xz;
+    yy += b.yy;
+    yz += b.yz;
+    zz += b.zz;
     return *this;
   }
   Symmetric3& operator-=(const Symmetric3& b) { return *this += b * -1.0; }
@@ -30,10 +35,7 @@ inline Symmetric3 operator+(Symmetric3 a, const Symmetric3& b) { return a += b; 
 inline Symmetric3 operator-(Symmetric3 a, const Symmetric3& b) { return a -= b; }
 
 /// a aᵀ
-inline Symmetric3 outer(const Vec3& a)
-{
-  return {a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z};
-}
+inline Symmetric3 outer(const Vec3& a) { return {a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z}; }
 
 /// a bᵀ + b aᵀ
 inline Symmetric3 symmetric_outer(const Vec3& a, const Vec3& b)

@@ -9,9 +9,27 @@ namespace integral_invariant {
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 
-  Vec3& operator+=(const Vec3& b) { x += b.x; y += b.y; z += b.z; return *this; }
-  Vec3& operator-=(const Vec3& b) { x -= b.x; y -= b.y; z -= b.z; return *this; }
-  Vec3& operator*=(double s) { x *= s; y *= s; z *= s; return *this; }
+  Vec3& operator+=(const Vec3& b)
+  {
+    x += b.x;
+    y += b.y;
+    z += b.z;
+    return *this;
+  }
+  Vec3& operator-=(const Vec3& b)
+  {
+    x -= b.x;
+    y -= b.y;
+    z -= b.z;
+    return *this;
+  }
+  Vec3& operator*=(double s)
+  {
+    x *= s;
+    y *= s;
+    z *= s;
+    return *this;
+  }
 };
 
 inline Vec3 operator+(Vec3 a, const Vec3& b) { return a += b; }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What inner loops on arrays share: every one works in groups of a fixed number of lanes, in files that are compiled without
-// contraction to fused multiply-add, so that all instruction sets give the same bits.
+// What inner loops on arrays share: every one works in groups of a fixed number of lanes, in files that are compiled
+// without contraction to fused multiply-add, so that all instruction sets give the same bits.
 #pragma once
 
 #include <cstddef>
 
-// One binary for old and new processors: the loader picks the clone, before ThreadSanitizer is ready for it. Elsewhere the
-// compiler's default target is used.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+// One binary for old and new processors: the loader picks the clone, before ThreadSanitizer is ready for it. Elsewhere
+// the compiler's default target is used.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_THREAD__)
 #define II_VECTOR_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define II_VECTOR_CLONES

@@ -39,8 +39,9 @@ class UpdateCurvatureIntegralInvariant {
   typedef integral_invariant::Parameters Params;
   typedef integral_invariant::Result Result;
 
-  /// Computes and writes: K1 >= K2 and the unit directions PD1, PD2 (K1, PD1: largest signed curvature, positive where the
-  /// solid is convex), the radius where vertices have one, and the per-vertex attributes that WriteAttributes() names.
+  /// Computes and writes: K1 >= K2 and the unit directions PD1, PD2 (K1, PD1: largest signed curvature, positive where
+  /// the solid is convex), the radius where vertices have one, and the per-vertex attributes that WriteAttributes()
+  /// names.
   ///
   /// \pre vertices have a curvature direction component, faces are triangles oriented outward
   /// \param cb called with a percentage and the stage; returning false cancels
@@ -73,7 +74,8 @@ class UpdateCurvatureIntegralInvariant {
       }
     for (const auto& f : m.face)
       if (!f.IsD())
-        copy.triangles.push_back({index[tri::Index(m, f.cV(0))], index[tri::Index(m, f.cV(1))], index[tri::Index(m, f.cV(2))]});
+        copy.triangles.push_back(
+            {index[tri::Index(m, f.cV(0))], index[tri::Index(m, f.cV(1))], index[tri::Index(m, f.cV(2))]});
     return copy;
   }
 
@@ -89,10 +91,13 @@ class UpdateCurvatureIntegralInvariant {
       v.PD2().Import(Vector(result.dir_min[i]));
     });
     if (tri::HasPerVertexRadius(m))
-      ForEachVertexWithIndex(m, [&](VertexType& v, size_t i) { v.R() = Representable<typename VertexType::RadiusType>(result.radius[i]); });
+      ForEachVertexWithIndex(m, [&](VertexType& v, size_t i) {
+        v.R() = Representable<typename VertexType::RadiusType>(result.radius[i]);
+      });
   }
 
-  /// Per-vertex attributes: ii_kmax, ii_kmin, ii_radius, ii_error, ii_confidence (scalar), ii_dirmax, ii_dirmin (point).
+  /// Per-vertex attributes: ii_kmax, ii_kmin, ii_radius, ii_error, ii_confidence (scalar), ii_dirmax, ii_dirmin
+  /// (point).
   static void WriteAttributes(MeshType& m, const Result& result)
   {
     VertexAttributeTransaction<MeshType> attributes(m, 7);
