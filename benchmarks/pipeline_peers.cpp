@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "integral_invariant/pipeline.h"
 #include "peers/peers.h"
@@ -76,18 +77,22 @@ int main(int argc, char** argv)
 
   Table table(double(mesh.positions.size()));
   Result ours;
-  const auto filter = [&](EngineKind engine) {
+  const auto filter = [&](EngineKind engine, int workers) {
     Parameters parameters = published_method();  // eight scales from one to eight edges
     parameters.scales = 8;
     parameters.engine = engine;
-    parameters.threads = threads;
+    parameters.threads = workers;
+    if (engine == EngineKind::surface_integral) ours = {};  // its memory is not this run's
     Result result = compute_curvature(mesh, parameters);
     const double mean = mean_curvature(result);
     if (engine == EngineKind::surface_integral) ours = std::move(result);
     return mean;
   };
-  table.run("whole filter, surface engine", 8, threads, 3, [&] { return filter(EngineKind::surface_integral); });
-  table.run("whole filter, FFT engine", 8, threads, 1, [&] { return filter(EngineKind::volume_fft); });
+  // The others have one thread.
+  for (const int workers : threads > 1 ? std::vector<int>{1, threads} : std::vector<int>{1})
+    table.run("whole filter, surface engine", 8, workers, 5,
+              [&] { return filter(EngineKind::surface_integral, workers); });
+  table.run("whole filter, FFT engine", 8, threads, 1, [&] { return filter(EngineKind::volume_fft, threads); });
 #ifdef II_WITH_VCG
   table.run("VCG quadric fitting (1-ring)", 1, 1, 1, [&] { return peers::vcg_quadric(mesh); });
   table.run("VCG scale dependent quadric fitting", 1, 1, 1,
