@@ -46,8 +46,7 @@ struct ChainResult {
 /// the bumps), is a regression over the neighbourhood; w_i = P/(P + N) with N the noise's variance and P the mean
 /// square of the innovations over the neighbourhood less N. Where a scale shows nothing but noise P is 0 and nothing
 /// is added; where it shows shape w is 1 and the larger scales cancel. Below the smallest scale the bias is
-/// extrapolated as r². Cost O(n · scales), about 3
-/// µs a vertex and scale.
+/// extrapolated as r². Cost O(n · scales), about 0.1 µs a vertex and scale.
 ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution);
 
 }  // namespace integral_invariant

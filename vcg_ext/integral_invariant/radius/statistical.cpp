@@ -31,6 +31,8 @@ Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
   return a + once + cross(axis, once) * (1 / (1 + cosine));
 }
 
+/// The normal is that of a small ball, the frame the principal one of the largest, which has the least noise: a frame
+/// that follows the noise of what it is to judge would pass it for shape.
 Frame frame_of(std::size_t vertex, const TensorField& tensors, const WholeBalls& balls)
 {
   constexpr int usual_scale = 3;  // small, but not the prey of noise
