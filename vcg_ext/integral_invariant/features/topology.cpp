@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Adjacency of triangles. Cost: O(m log m).
+// Adjacency of triangles. Cost: O(m log valence).
 #include "integral_invariant/features/topology.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace integral_invariant {
 
@@ -14,18 +15,25 @@ struct Side {
   bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles)
+/// By their ends, and those of an edge by triangle: bucketed by the lower end, where only few are left to sort.
+std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles, std::size_t vertices)
 {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
+  std::vector<std::size_t> next(vertices + 1, 0);
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) ++next[std::size_t(std::min(t[i], t[(i + 1) % 3])) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Side> sides(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::int32_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-      sides.push_back({low, high, std::int32_t(t), i});
+      sides[next[std::size_t(low)]++] = {low, high, std::int32_t(t), i};
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::array{a.low, a.high, a.triangle, a.side} < std::array{b.low, b.high, b.triangle, b.side};
-  });
+  std::size_t begin = 0;
+  for (std::size_t v = 0; v < vertices; begin = next[v++])
+    std::sort(sides.begin() + std::ptrdiff_t(begin), sides.begin() + std::ptrdiff_t(next[v]),
+              [](const Side& a, const Side& b) {
+                return std::array{a.high, a.triangle, a.side} < std::array{b.high, b.triangle, b.side};
+              });
   return sides;
 }
 
@@ -36,7 +44,7 @@ Topology::Topology(const Surface& surface)
   const std::vector<Triangle>& triangles = surface.triangles();
   edge.resize(triangles.size());
   across.assign(triangles.size(), {-1, -1, -1});
-  const std::vector<Side> sides = sorted_sides(triangles);
+  const std::vector<Side> sides = sorted_sides(triangles, surface.vertex_count());
   for (std::size_t begin = 0, end; begin < sides.size(); begin = end, ++edge_count) {
     for (end = begin; end < sides.size() && sides[end].same_edge(sides[begin]); ++end)
       edge[sides[end].triangle][sides[end].side] = std::int32_t(edge_count);

@@ -100,12 +100,16 @@ class ScalePass {
                         from + (to - from) * double(tile + 1) / double(tiles));
       return;
     }
+    // Of several threads, the one that asks the callback does nothing else.
+    const auto check_if_alone = [&] {
+      if (threads == 1) execution.check();
+    };
     WorkspacePool pool(layout_.shape.size, std::clamp<std::size_t>(memory / worker_bytes(layout_.shape), 1, threads));
     parallel_for(
         tiles, 1, execution,
         [&](std::size_t from_tile, std::size_t to_tile, int) {
           for (std::size_t tile = from_tile; tile < to_tile; ++tile)
-            pool.lend([&](Workspace& workspace) { run_tile(begin + tile, workspace); });
+            pool.lend([&](Workspace& workspace) { run_tile(begin + tile, workspace, check_if_alone); });
         },
         from, to);
   }
@@ -187,14 +191,19 @@ class ScalePass {
     return (layout_.tile_vertices.start[tile + 1] - layout_.tile_vertices.start[tile]) * moment_count;
   }
 
-  void run_tile(std::size_t tile, Workspace& workspace) const
+  /// Calls `between` between its steps.
+  template <class Between>
+  void run_tile(std::size_t tile, Workspace& workspace, const Between& between) const
   {
     const std::vector<std::uint32_t> triangles = triangles_.row(tile);
     for (std::size_t slab = 0; slab < slab_count(); ++slab) scan_slab(tile, triangles, slab, workspace.transform);
+    between();
     transform_.forward(workspace.transform);
     workspace.values.resize(value_count(tile));
-    for (int moment = 0; moment < moment_count; ++moment)
+    for (int moment = 0; moment < moment_count; ++moment) {
+      between();
       find_moment(tile, moment, workspace.transform, workspace.product, workspace.values);
+    }
     deliver(tile, workspace.values);
   }
 
@@ -211,6 +220,7 @@ class ScalePass {
         },
         from, from);
     transform_.forward(transform);
+    execution.report(from);
     std::vector<float> values(value_count(tile));
     parallel_for(
         moment_count, 1, execution,
