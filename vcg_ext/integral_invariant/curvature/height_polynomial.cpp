@@ -65,20 +65,15 @@ void HeightSystem::forward(Coefficients& x, int count) const
   }
 }
 
-void HeightSystem::solve(Coefficients& b, int degree) const
-{
-  const int n = coefficient_count(degree);
-  forward(b, n);
-  for (int i = n; i-- > 0;) {
-    b[i] *= a_[i][i];
-    for (int k = 0; k < i; ++k) b[k] -= a_[i][k] * b[i];
-  }
-}
-
 Coefficients HeightSystem::solution(int degree) const
 {
+  const int n = coefficient_count(degree);
   Coefficients c = b_;
-  solve(c, degree);
+  forward(c, n);
+  for (int i = n; i-- > 0;) {
+    c[i] *= a_[i][i];
+    for (int k = 0; k < i; ++k) c[k] -= a_[i][k] * c[i];
+  }
   return c;
 }
 

@@ -29,8 +29,7 @@ class HeightSystem {
   /// Factors the system of the largest degree, up to the one given, that the places determine, and returns it; 0 where
   /// they leave even a plane open. add() cannot follow.
   int factor(int degree);
-  /// (AᵀWA)⁻¹ b, and (AᵀWA)⁻¹ AᵀW h for the heights. \pre factor() returned at least `degree`
-  void solve(Coefficients& b, int degree) const;
+  /// (AᵀWA)⁻¹ AᵀW h for the heights. \pre factor() returned at least `degree`
   Coefficients solution(int degree) const;
   /// Of the places that the system was made of, for a fit of the `degree` that factor() returned or less; `parts` are
   /// what multiplies the coefficients in quantities whose variance is asked for.

@@ -35,7 +35,7 @@ class Chain {
  public:
   Chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution)
       : signal_(signal),
-        strands_(signal.evidence == Evidence::each ? signal.components : 1),
+        strands_(strand_count(signal.components, signal.evidence)),
         of_each_(signal.components / strands_),
         e_(evidence),
         execution_(execution),

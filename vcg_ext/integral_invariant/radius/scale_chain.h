@@ -13,6 +13,8 @@ namespace integral_invariant {
 
 /// Whether two components are added together by what they show between them, or each by what it shows alone.
 enum class Evidence { joint, each };
+/// How many groups of components have weights of their own.
+inline int strand_count(int components, Evidence evidence) { return evidence == Evidence::each ? components : 1; }
 
 /// A quantity of up to two components, measured at every scale of every vertex, with noise whose differences between
 /// scales are independent (see disc_variance).

@@ -13,7 +13,7 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
   constexpr double largest_energy = 25, evident_energy = 12, least_share = 1.5, undeniable_energy = 40;
   constexpr double least_noise = 1e-30;  // of fits that are exact: energies stay finite
   const std::size_t n = fitted.values.size();
-  const int strands = fitted.evidence == Evidence::each ? fitted.components : 1, of_each = fitted.components / strands;
+  const int strands = strand_count(fitted.components, fitted.evidence), of_each = fitted.components / strands;
   std::vector<std::array<double, 3>> energies(n);
   std::vector<std::array<double, 2>> own(n);
   for_each_index(n, execution, [&](std::size_t v) {
