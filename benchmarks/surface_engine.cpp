@@ -109,20 +109,20 @@ std::vector<std::vector<double>> curvatures(const Surface& surface, const std::v
   return values;
 }
 
-/// A row of errors per exactness, jitter and noise (in average edges) on a torus with n vertices around.
-void accuracy(int n, const std::vector<double>& radii, const std::vector<Exactness>& kinds,
-              const std::vector<double>& jitters)
+/// A row of errors per exactness, jitter and noise (in average edges).
+void accuracy(const char* name, const TriangleMesh& smooth, const std::vector<double>& radii,
+              const std::vector<Exactness>& kinds, const std::vector<double>& jitters)
 {
-  std::printf("| exactness | jitter | noise |");
+  std::printf("\n%s, %zu vertices\n| exactness | jitter | noise |", name, smooth.positions.size());
   for (const double r : radii) std::printf(" %11.1f |", r);
   std::printf("\n");
-  for (const Exactness exactness : kinds)
-    for (const double jitter : jitters)
-      for (const double noise : {0.0, 0.1, 0.5}) {
-        TriangleMesh mesh = torus(1, 0.4, n, int(0.55 * n));
-        const double edge = average_edge_length(mesh);
-        const Surface surface(with_normal_noise(with_tangential_jitter(mesh, jitter * edge), noise * edge));
-        const auto truth = curvatures(surface, radii, Exactness::exact), got = curvatures(surface, radii, exactness);
+  const double edge = average_edge_length(smooth);
+  for (const double jitter : jitters)
+    for (const double noise : {0.0, 0.1, 0.5}) {
+      const Surface surface(with_normal_noise(with_tangential_jitter(smooth, jitter * edge), noise * edge));
+      const auto truth = curvatures(surface, radii, Exactness::exact);
+      for (const Exactness exactness : kinds) {
+        const auto got = curvatures(surface, radii, exactness);
         std::printf("| %s | %4.2f | %4.1f |", exactness == Exactness::fast ? "fast    " : "balanced", jitter, noise);
         for (std::size_t k = 0; k < radii.size(); ++k) {
           double error = 0, square = 0, largest = 0;
@@ -138,13 +138,17 @@ void accuracy(int n, const std::vector<double>& radii, const std::vector<Exactne
         std::printf("\n");
         std::fflush(stdout);
       }
+    }
 }
 
 void accuracy()
 {
   std::printf("RMS error of the curvature relative to its RMS, in percent (and largest error relative to the RMS)\n");
-  accuracy(160, {1, 1.5, 2, 3, 4, 6, 8}, {Exactness::fast, Exactness::balanced}, {0.0, 0.4});
-  accuracy(300, {2, 3, 5, 8, 12, 16, 32, 64}, {Exactness::balanced}, {0.4});
+  const std::vector<double> usual = {1, 1.5, 2, 3, 3.5, 4, 5, 6, 8}, large = {2, 8, 16, 32, 64};
+  accuracy("torus", torus(1, 0.4, 160, 88), usual, {Exactness::fast, Exactness::balanced}, {0.0, 0.4});
+  accuracy("bumpy sphere", bumpy_sphere(6), usual, {Exactness::balanced}, {0.4});
+  accuracy("bumpy sphere", bumpy_sphere(7), large, {Exactness::balanced}, {0.4});
+  accuracy("coarse torus that the largest balls swallow", torus(1, 0.4, 300, 165), large, {Exactness::balanced}, {0.4});
 }
 
 }  // namespace

@@ -84,6 +84,13 @@ TriangleMesh icosphere(int levels, double radius, Vec3 centre)
   return translated(scaled(std::move(mesh), radius), centre);
 }
 
+TriangleMesh bumpy_sphere(int levels)
+{
+  TriangleMesh mesh = icosphere(levels);
+  for (Vec3& p : mesh.positions) p *= 1 + 0.1 * std::sin(3 * p.x + 1) * std::sin(3 * p.y) + 0.1 * std::sin(3 * p.z);
+  return mesh;
+}
+
 TriangleMesh torus(double major_radius, double tube_radius, int nu, int nv)
 {
   TriangleMesh mesh;

@@ -14,6 +14,9 @@ using integral_invariant::Vec3;
 /// Icosahedron subdivided `levels` times, vertices on the sphere: 10·4^levels + 2 vertices.
 TriangleMesh icosphere(int levels, double radius = 1, Vec3 centre = {});
 
+/// Icosphere with its radius between 0.8 and 1.2: bumps and hollows as wide as itself.
+TriangleMesh bumpy_sphere(int levels);
+
 /// Torus around z with nu × nv vertices (nu even), nearly equilateral triangles: u around the axis, v around the tube.
 TriangleMesh torus(double major_radius, double tube_radius, int nu, int nv);
 /// Principal curvature around the axis at angle v around the tube; the other one is 1/tube_radius.

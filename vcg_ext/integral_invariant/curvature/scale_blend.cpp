@@ -10,7 +10,7 @@
 namespace integral_invariant {
 
 TensorField::TensorField(std::size_t vertices, std::vector<double> radii)
-    : vertices_(vertices), radii_(std::move(radii)), entries_(vertices * radii_.size(), Entry{{}, {0, 0, 1}, 0})
+    : vertices_(vertices), radii_(std::move(radii)), entries_(vertices * radii_.size())
 {
   const std::size_t n = radii_.size();
   for (std::size_t i = 0; i < n; ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/support/zeroed_array.h"
 
 namespace integral_invariant {
 
@@ -46,7 +47,7 @@ class TensorField {
 
   std::size_t vertices_;
   std::vector<double> radii_, inverse_sigma_;
-  std::vector<Entry> entries_;
+  ZeroedArray<Entry> entries_;
 };
 
 }  // namespace integral_invariant

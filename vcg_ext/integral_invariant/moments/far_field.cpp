@@ -12,7 +12,8 @@ namespace integral_invariant {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double rim_gap = 0.6, least_gain = 1.5;  // edges
+// In edges, measured (docs/surface_engine.md): what is in closed form, the rim beyond it, what is worth one.
+constexpr double widest_near = 3.05, rim_gap = 0.3, least_gain = 1.5;
 constexpr std::uint32_t none = ~0u;
 constexpr std::uint8_t no_shell = 255;
 
@@ -31,7 +32,7 @@ std::vector<double> with_rim(const ScaleSplit& split)
 
 }  // namespace
 
-ScaleSplit ScaleSplit::of(const std::vector<double>& radii, double widest_near)
+ScaleSplit ScaleSplit::of(const std::vector<double>& radii)
 {
   if (radii.back() < widest_near + least_gain) return none(radii);
   const auto first_far = std::lower_bound(radii.begin(), radii.end(), widest_near);
@@ -40,14 +41,17 @@ ScaleSplit ScaleSplit::of(const std::vector<double>& radii, double widest_near)
   return split;
 }
 
-FarField::FarField(const SurfaceTree& tree, const ScaleSplit& split)
+FarField::FarField(const SurfaceTree& tree, const ScaleSplit& split, const FarDetail& detail)
     : radii_(with_rim(split)),
       rim_{radii_.front()},
+      detail_(detail),
       outside_(std::uint8_t(split.near.size())),
       far_(tree, radii_.back()),
       points_in_(radii_.size()),
+      points_at_(radii_.size()),
       clusters_in_(radii_.size()),
       point_count_(radii_.size()),
+      kink_count_(radii_.size()),
       cluster_count_(radii_.size())
 {
   for (const double r : radii_) squared_radii_.push_back(r * r);
@@ -107,11 +111,14 @@ const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluato
   moments_.resize(radii_.size() - 1);
   for (std::size_t k = 1; k < radii_.size(); ++k) {
     const FluxSums::Shell shell{apex, k == 1 ? -1.0 : squared_radii_[k - 1], squared_radii_[k]};
-    annulus.add_points(far_.points(), weights_.data(), points_in_[k].data(), point_count_[k], shell);
+    annulus.add_points(far_.points(), weights_.data(), points_in_[k].data(), point_count_[k], shell,
+                       radii_[k - 1] < detail_.shape ? FluxSums::Shape::own : FluxSums::Shape::round);
     annulus.add_clusters(far_.clusters(), clusters_in_[k].data(), cluster_count_[k], shell);
     const double r = radii_[k], r3 = r * r * r, grown = r / radii_[0], grown3 = grown * grown * grown;
-    const MomentSums total = cones + scaled(sector, grown3, grown3 * grown, grown3 * grown * grown) +
-                             scaled(annulus.up_to(r), 1.0 / 3, 0.25, 0.2);
+    MomentSums total = cones + scaled(sector, grown3, grown3 * grown, grown3 * grown * grown) +
+                       scaled(annulus.up_to(r), 1.0 / 3, 0.25, 0.2);
+    if (r < detail_.kink)
+      total += kink_at(r, apex, far_.points(), weights_.data(), points_at_[k].data(), kink_count_[k]);
     moments_[k - 1] = {std::clamp(total.volume, 0.0, 4 * pi / 3 * r3), total.first, total.second, 1};
   }
   find_confidence(apex, evaluator.gap_angle(), is_border);
@@ -134,16 +141,24 @@ void FarField::sort_leaves(const std::vector<std::uint8_t>& outermost_scales, co
     least_[i] = weights_of_[i] == none ? no_shell : std::max<std::uint8_t>(least_[i], 1);
     largest_[i] = std::max<std::uint8_t>(largest_[i], 1);
   }
+  // Those in shell k, and of them those that the sphere at its end may cut.
   for (std::size_t k = 1; k < radii_.size(); ++k) {
-    if (points_in_[k].size() <= leaves_.size()) points_in_[k].resize(leaves_.size() + 1);
-    // Written in any case and counted where it applies.
-    WeighedGroup* end = points_in_[k].data();
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      *end = {leaves_[i], weights_of_[i]};
-      end += (least_[i] <= k) & (k <= largest_[i]);
-    }
-    point_count_[k] = std::uint32_t(end - points_in_[k].data());
+    point_count_[k] = list_leaves(k, k, points_in_[k]);
+    if (radii_[k] < detail_.kink) kink_count_[k] = list_leaves(k, k + 1, points_at_[k]);
   }
+}
+
+/// Writes the leaves that begin in shell k or before and reach as far as shell `reached`; returns how many.
+std::uint32_t FarField::list_leaves(std::size_t k, std::size_t reached, std::vector<WeighedGroup>& list) const
+{
+  if (list.size() <= leaves_.size()) list.resize(leaves_.size() + 1);
+  // Written in any case and counted where it applies.
+  WeighedGroup* end = list.data();
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    *end = {leaves_[i], weights_of_[i]};
+    end += (least_[i] <= k) & (reached <= largest_[i]);
+  }
+  return std::uint32_t(end - list.data());
 }
 
 /// Which weights leave out the triangles within the rim; none where all are.

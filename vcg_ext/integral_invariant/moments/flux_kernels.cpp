@@ -25,6 +25,44 @@ using LaneSums = FluxSums::Lanes;
 /// Bounded at 0, where points that do not count may stand.
 inline double bounded(double squared_distance) { return squared_distance > 1e-6 ? squared_distance : 1e-6; }
 
+/// With S = ∫u uᵀ/∫1, s = S x/|x|², t = tr S/|x|² and q = x·s/|x|², half of S : ∇∇ makes of |x|^-3 (7.5 q − 1.5 t)
+/// |x|^-3, of x |x|^-4 ((12 q − 2 t) x − 4 s) |x|^-4, of x xᵀ |x|^-5 ((17.5 q − 2.5 t) x xᵀ − 5 (x sᵀ + s xᵀ) + S)
+/// |x|^-5.
+II_VECTOR_CLONES
+void sum_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                const FluxSums::Shell& shell, LaneSums& out)
+{
+  LaneSums sum = out;
+  const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
+  for (std::size_t g = 0; g < count; ++g) {
+    const PointGroup& group = groups[list[g].group];
+    const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
+    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
+    const double *sxx = group.second[0], *sxy = group.second[1], *sxz = group.second[2], *syy = group.second[3],
+                 *syz = group.second[4], *szz = group.second[5];
+    const double* weight = weights[list[g].weights].weight;
+    for (std::size_t j = 0; j < lanes; ++j) {
+      const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
+      const double r2 = x * x + y * y + z * z, h_all = (x * nx[j] + y * ny[j] + z * nz[j]) * weight[j];
+      const double h = (r2 > inner) & (r2 <= outer) ? h_all : 0.0;
+      const double i2 = 1 / bounded(r2), i1 = std::sqrt(i2);
+      const double sx = (sxx[j] * x + sxy[j] * y + sxz[j] * z) * i2, sy = (sxy[j] * x + syy[j] * y + syz[j] * z) * i2,
+                   sz = (sxz[j] * x + syz[j] * y + szz[j] * z) * i2;
+      const double t = (sxx[j] + syy[j] + szz[j]) * i2, q = (sx * x + sy * y + sz * z) * i2;
+      const double h4 = h * (i2 * i2), h5 = h4 * i1;
+      const double h3 = h * i2 * i1 * (1 + 7.5 * q - 1.5 * t), f4 = 1 + 12 * q - 2 * t, f5 = 0.5 + 8.75 * q - 1.25 * t;
+      const double ux = f5 * x - 5 * sx, uy = f5 * y - 5 * sy, uz = f5 * z - 5 * sz;
+      const double hx = h * x, hy = h * y, hz = h * z, gx = h5 * x, gy = h5 * y, gz = h5 * z;
+      add_moments(sum, 0, j, h, hx, hy, hz, hx * x + h * sxx[j], hx * y + h * sxy[j], hx * z + h * sxz[j],
+                  hy * y + h * syy[j], hy * z + h * syz[j], hz * z + h * szz[j]);
+      add_moments(sum, 10, j, h3, h4 * (f4 * x - 4 * sx), h4 * (f4 * y - 4 * sy), h4 * (f4 * z - 4 * sz),
+                  2 * (gx * ux) + h5 * sxx[j], gx * uy + gy * ux + h5 * sxy[j], gx * uz + gz * ux + h5 * sxz[j],
+                  2 * (gy * uy) + h5 * syy[j], gy * uz + gz * uy + h5 * syz[j], 2 * (gz * uz) + h5 * szz[j]);
+    }
+  }
+  out = sum;
+}
+
 /// What a piece's extent makes of |x|^-3, x |x|^-4 and x xᵀ |x|^-5: 1 and half its variance times the Laplacian in its
 /// plane, q = variance/|x|², c = (h/|x|)² for the unit normal. Of h n, which the latter two have besides, the part
 /// along x is taken; q |x|^-3 on the diagonal of the last one is added apart.
@@ -33,8 +71,8 @@ inline double factor4(double q, double c) { return 1 + q * (4 - 8 * c); }
 inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
 
 II_VECTOR_CLONES
-void sum_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                const FluxSums::Shell& shell, LaneSums& out)
+void sum_round_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                      const FluxSums::Shell& shell, LaneSums& out)
 {
   LaneSums sum = out;
   const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
@@ -118,12 +156,55 @@ void grow_to(double r, const LaneSums& sum, double (&out)[11][lanes])
   }
 }
 
+/// A line of half width w, its middle t beyond the sphere, is within it by (w − t)²/(4 w) on average, instead of
+/// max(−t, 0): more by (w − |t|)²/(4 w) as long as it is cut.
+II_VECTOR_CLONES
+void sum_kinks(double r, const Vec3& centre, const PointGroup* groups, const LaneWeights* weights,
+               const WeighedGroup* list, std::size_t count, double (&out)[10][lanes])
+{
+  LaneSums sum;
+  const double ox = centre.x, oy = centre.y, oz = centre.z;
+  for (std::size_t g = 0; g < count; ++g) {
+    const PointGroup& group = groups[list[g].group];
+    const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
+    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
+    const double *sxx = group.second[0], *sxy = group.second[1], *sxz = group.second[2], *syy = group.second[3],
+                 *syz = group.second[4], *szz = group.second[5];
+    const double* weight = weights[list[g].weights].weight;
+    for (std::size_t j = 0; j < lanes; ++j) {
+      const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
+      const double r2 = x * x + y * y + z * z, h = (x * nx[j] + y * ny[j] + z * nz[j]) * weight[j];
+      const double sx = sxx[j] * x + sxy[j] * y + sxz[j] * z, sy = sxy[j] * x + syy[j] * y + syz[j] * z,
+                   sz = sxz[j] * x + syz[j] * y + szz[j] * z;
+      const double w = std::sqrt(3 * bounded((sx * x + sy * y + sz * z) / bounded(r2)));
+      const double within = w - std::abs(std::sqrt(r2) - r);
+      const double k = within > 0 ? h * (within * within) / (4 * w) : 0.0;
+      const double kx = k * x, ky = k * y, kz = k * z;
+      add_moments(sum, 0, j, k, kx, ky, kz, kx * x, kx * y, kx * z, ky * y, ky * z, kz * z);
+    }
+  }
+  for (std::size_t i = 0; i < 10; ++i)
+    for (std::size_t j = 0; j < lanes; ++j) out[i][j] = sum.value[i][j];
+}
+
 }  // namespace
 
-void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list,
-                          std::size_t count, const Shell& shell)
+MomentSums kink_at(double r, const Vec3& centre, const PointGroup* groups, const LaneWeights* weights,
+                   const WeighedGroup* list, std::size_t count)
 {
-  if (count > 0) sum_points(groups, weights, list, count, shell, lanes_);
+  alignas(64) double lane[10][lanes];
+  sum_kinks(r, centre, groups, weights, list, count, lane);
+  double s[10];
+  for (std::size_t i = 0; i < 10; ++i) s[i] = sum_of_lanes(lane[i]) * (-1 / r);
+  return {s[0], {s[1], s[2], s[3]}, {s[4], s[5], s[6], s[7], s[8], s[9]}};
+}
+
+void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list,
+                          std::size_t count, const Shell& shell, Shape shape)
+{
+  if (count == 0) return;
+  const auto sum = shape == Shape::own ? sum_points : sum_round_points;
+  sum(groups, weights, list, count, shell, lanes_);
 }
 
 void FluxSums::add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count,

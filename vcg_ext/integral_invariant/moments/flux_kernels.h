@@ -11,18 +11,22 @@
 
 namespace integral_invariant {
 
-/// Triangles, one a lane, each by its centroid, its area vector ∫n and its variance, the mean of u² along either of its
-/// directions, u from the centroid.
+/// Triangles, one a lane, each by its centroid, its area vector ∫n, its second moments, the mean of u uᵀ with u from
+/// the centroid (xx, xy, xz, yy, yz, zz), and its variance, the mean of u² along either direction if it were round.
 struct alignas(64) PointGroup {
-  double point[3][kernel_lanes], area[3][kernel_lanes], variance[kernel_lanes], inverse_area2[kernel_lanes];
+  double point[3][kernel_lanes], area[3][kernel_lanes], second[6][kernel_lanes];
+  double variance[kernel_lanes], inverse_area2[kernel_lanes];
 
   void set(std::size_t lane, const std::array<Vec3, 3>& v)
   {
     const Vec3 p = (v[0] + v[1] + v[2]) * (1.0 / 3), n = cross(v[1] - v[0], v[2] - v[0]) * 0.5;
     point[0][lane] = p.x, point[1][lane] = p.y, point[2][lane] = p.z;
     area[0][lane] = n.x, area[1][lane] = n.y, area[2][lane] = n.z;
-    variance[lane] = (squared_norm(v[0] - p) + squared_norm(v[1] - p) + squared_norm(v[2] - p)) * (1.0 / 24);
+    const Symmetric3 s = (outer(v[0] - p) + outer(v[1] - p) + outer(v[2] - p)) * (1.0 / 12);
+    variance[lane] = 0.5 * s.trace();
     inverse_area2[lane] = squared_norm(n) > 1e-300 ? 1 / squared_norm(n) : 0;
+    second[0][lane] = s.xx, second[1][lane] = s.xy, second[2][lane] = s.xz;
+    second[3][lane] = s.yy, second[4][lane] = s.yz, second[5][lane] = s.zz;
   }
 };
 
@@ -51,8 +55,9 @@ struct WeighedGroup {
 };
 
 /// Sums over triangles of h f and h f |x|^{−(d+3)} for f = 1, x, x xᵀ, of degree d: x is a triangle's centroid from the
-/// balls' centre, h = x·∫n. A triangle counts by the integrand at its centroid and, as if it were round, half its
-/// variance times the integrand's Laplacian in its plane; a cluster with the integrand's gradient besides.
+/// balls' centre, h = x·∫n. A triangle counts by the integrand at its centroid and half its second moments times the
+/// integrand's second derivatives; a cluster by the integrand, its gradient and, as if it were round, half its variance
+/// times the integrand's Laplacian in its plane.
 class FluxSums {
  public:
   /// What lies in a shell about `centre`: squared distances over `inner` and not over `outer`.
@@ -61,8 +66,11 @@ class FluxSums {
     double inner, outer;
   };
 
+  /// As they are, or as if they were round too, which is a quarter faster.
+  enum class Shape { own, round };
+
   void add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                  const Shell& shell);
+                  const Shell& shell, Shape shape);
   void add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Shell& shell);
   /// Σ h f (1 − (r/|x|)^{d+3}).
   MomentSums up_to(double r) const;
@@ -77,5 +85,11 @@ class FluxSums {
  private:
   Lanes lanes_;
 };
+
+/// What Σ h f (1 − (r/|x|)^{d+3}) / (d+3) lacks where the sphere r about `centre` cuts triangles. The integrand falls
+/// to nothing there and stays nothing beyond, so that its mean over a triangle is not its value at the centroid.
+/// Triangles count as lines of their own variance along x.
+MomentSums kink_at(double r, const Vec3& centre, const PointGroup* groups, const LaneWeights* weights,
+                   const WeighedGroup* list, std::size_t count);
 
 }  // namespace integral_invariant

@@ -39,11 +39,11 @@ class SurfaceEngine : public MomentEngine {
   void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
   {
     const bool has_far = parameters_.exactness != Exactness::exact && !parameters_.same_sheet;
-    const ScaleSplit split = has_far ? ScaleSplit::of(radii, widest_near()) : ScaleSplit::none(radii);
+    const ScaleSplit split = has_far ? ScaleSplit::of(radii) : ScaleSplit::none(radii);
     std::vector<std::unique_ptr<Worker>> workers(std::size_t(execution.threads()));
     parallel_for(blocks_.size() - 1, 4, execution, [&](std::size_t begin, std::size_t end, int worker) {
       std::unique_ptr<Worker>& w = workers[std::size_t(worker)];
-      if (!w) w.reset(new Worker(tree_, radii, split, parameters_));
+      if (!w) w.reset(new Worker(tree_, radii, split, far_detail(), parameters_));
       for (std::size_t block = begin; block < end; ++block)
         evaluate_block(blocks_[block], blocks_[block + 1], *w, sink);
     });
@@ -56,13 +56,13 @@ class SurfaceEngine : public MomentEngine {
   }
 
  private:
-  /// Up to which radius (edges) closed forms are worth their time. What compares scales takes the quadrature's error
-  /// for noise or bias, where there is little of these: measured by benchmarks/accuracy.
-  double widest_near() const
+  /// What compares scales takes the quadrature's error for noise or bias, where there is little of these: measured by
+  /// benchmarks/accuracy.
+  FarDetail far_detail() const
   {
     const bool compares_scales =
         parameters_.radius_choice == RadiusChoice::statistical || parameters_.estimator == Estimator::bias_free;
-    return compares_scales ? 7.4 : 3.05;
+    return compares_scales ? FarDetail{5, 12} : FarDetail{3.9, 4.5};
   }
 
   /// The scratch memory of closed forms.
@@ -81,13 +81,13 @@ class SurfaceEngine : public MomentEngine {
 
   /// Of one thread. Blocks whose triangles are too large for points beyond a rim take the closed forms throughout.
   struct Worker {
-    Worker(const SurfaceTree& tree, const std::vector<double>& radii, const ScaleSplit& split,
+    Worker(const SurfaceTree& tree, const std::vector<double>& radii, const ScaleSplit& split, const FarDetail& detail,
            const Parameters& parameters)
         : all(tree, radii, radii.back(), parameters, LastRadius::ball)
     {
       if (split.far.empty()) return;
       near = std::make_unique<ClosedForms>(tree, split.near, radii.back(), parameters, LastRadius::rim);
-      far = std::make_unique<FarField>(tree, split);
+      far = std::make_unique<FarField>(tree, split, detail);
     }
     ClosedForms all;
     std::unique_ptr<ClosedForms> near;
