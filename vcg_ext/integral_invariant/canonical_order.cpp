@@ -38,10 +38,10 @@ struct Key {
 };
 
 /// The caller's vertices in canonical order.
-std::vector<std::uint32_t> vertex_order(const TriangleMesh& mesh)
+std::vector<std::uint32_t> vertex_order(const TriangleMesh& mesh, Execution& execution)
 {
   const std::vector<char> used = used_vertices(mesh);
-  const std::vector<std::uint64_t> along = curve_through(mesh.positions, used).indices(mesh.positions);
+  const std::vector<std::uint64_t> along = curve_through(mesh.positions, used).indices(mesh.positions, execution);
   std::vector<Key> keys;
   keys.reserve(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -68,7 +68,8 @@ bool precedes_turned(const Triangle& a, const Triangle& b)
 }
 
 /// Sorted, each from its smallest vertex on, in the numbers that `place` gives the vertices.
-std::vector<Triangle> ordered_triangles(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place)
+std::vector<Triangle> ordered_triangles(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place,
+                                        Execution& execution)
 {
   const auto renumbered = [&](const Triangle& t) {
     return smallest_first({std::int32_t(place[std::size_t(t[0])]), std::int32_t(place[std::size_t(t[1])]),
@@ -83,8 +84,10 @@ std::vector<Triangle> ordered_triangles(const TriangleMesh& mesh, const std::vec
     const Triangle r = renumbered(t);
     triangles[start[std::size_t(r[0])]++] = r;
   }
-  for (std::size_t v = 0, begin = 0; v + 1 < start.size(); begin = start[v++])
-    std::sort(triangles.begin() + std::ptrdiff_t(begin), triangles.begin() + std::ptrdiff_t(start[v]), precedes_turned);
+  for_each_index(mesh.positions.size(), execution, [&](std::size_t v) {
+    std::sort(triangles.begin() + std::ptrdiff_t(v == 0 ? 0 : start[v - 1]),
+              triangles.begin() + std::ptrdiff_t(start[v]), precedes_turned);
+  });
   return triangles;
 }
 
@@ -92,16 +95,22 @@ std::vector<Triangle> ordered_triangles(const TriangleMesh& mesh, const std::vec
 
 CanonicalMesh in_canonical_order(const TriangleMesh& mesh)
 {
+  Execution execution(1);
+  return in_canonical_order(mesh, execution);
+}
+
+CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution)
+{
   require_valid_indices(mesh);
   CanonicalMesh canonical;
-  canonical.caller = vertex_order(mesh);
+  canonical.caller = vertex_order(mesh, execution);
   canonical.mesh.positions.reserve(mesh.positions.size());
   std::vector<std::uint32_t> place(mesh.positions.size());
   for (const std::uint32_t v : canonical.caller) {
     place[v] = std::uint32_t(canonical.mesh.positions.size());
     canonical.mesh.positions.push_back(mesh.positions[v]);
   }
-  canonical.mesh.triangles = ordered_triangles(mesh, place);
+  canonical.mesh.triangles = ordered_triangles(mesh, place, execution);
   return canonical;
 }
 

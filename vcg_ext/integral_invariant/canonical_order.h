@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/surface.h"
 
 namespace integral_invariant {
@@ -20,6 +21,8 @@ struct CanonicalMesh {
 /// sorted. Vertices at the same place, and those that no triangle uses, keep the order in which the caller has them:
 /// nothing else tells them apart. Nothing is left out or merged. Cost: O(n log n + m), and 52 bytes a vertex. \throw
 /// InputError where an index is out of range
+CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution);
+/// The same with one thread.
 CanonicalMesh in_canonical_order(const TriangleMesh& mesh);
 
 }  // namespace integral_invariant

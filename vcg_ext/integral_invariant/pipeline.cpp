@@ -187,7 +187,7 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   Result result;
 
   execution.begin_stage("checking the surface", 4);
-  CanonicalMesh canonical = in_canonical_order(mesh);
+  CanonicalMesh canonical = in_canonical_order(mesh, execution);
   execution.report(0.5);
   const Surface surface(canonical.mesh);
   canonical.mesh = {};  // the surface has its own

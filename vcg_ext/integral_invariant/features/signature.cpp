@@ -51,7 +51,7 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   validate(ladder);
   Execution execution(parameters.threads, progress);
   execution.begin_stage("checking the surface", 4);
-  CanonicalMesh canonical = in_canonical_order(mesh);
+  CanonicalMesh canonical = in_canonical_order(mesh, execution);
   execution.report(0.5);
   const Surface surface(canonical.mesh);
   canonical.mesh = {};  // the surface has its own

@@ -112,7 +112,7 @@ const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluato
   for (std::size_t k = 1; k < radii_.size(); ++k) {
     const FluxSums::Shell shell{apex, k == 1 ? -1.0 : squared_radii_[k - 1], squared_radii_[k]};
     annulus.add_points(far_.points(), weights_.data(), points_in_[k].data(), point_count_[k], shell,
-                       radii_[k - 1] < detail_.shape ? FluxSums::Shape::own : FluxSums::Shape::round);
+                       radii_[k - 1] < detail_.shape ? FluxSums::Shape::own : FluxSums::Shape::none);
     annulus.add_clusters(far_.clusters(), clusters_in_[k].data(), cluster_count_[k], shell);
     const double r = radii_[k], r3 = r * r * r, grown = r / radii_[0], grown3 = grown * grown * grown;
     MomentSums total = cones + scaled(sector, grown3, grown3 * grown, grown3 * grown * grown) +

@@ -22,7 +22,7 @@ struct ScaleSplit {
   static ScaleSplit none(const std::vector<double>& radii) { return {radii, {}}; }
 };
 
-/// Up to which distances, in edges, triangles beyond the rim count by more than a point with an extent.
+/// Up to which distances, in edges, triangles beyond the rim count by more than a point.
 struct FarDetail {
   double shape;  ///< shells that begin nearer: by their shape
   double kink;   ///< balls that are smaller: by how their sphere cuts them

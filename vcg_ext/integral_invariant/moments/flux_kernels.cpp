@@ -63,43 +63,38 @@ void sum_points(const PointGroup* groups, const LaneWeights* weights, const Weig
   out = sum;
 }
 
-/// What a piece's extent makes of |x|^-3, x |x|^-4 and x xᵀ |x|^-5: 1 and half its variance times the Laplacian in its
-/// plane, q = variance/|x|², c = (h/|x|)² for the unit normal. Of h n, which the latter two have besides, the part
-/// along x is taken; q |x|^-3 on the diagonal of the last one is added apart.
-inline double factor3(double q, double c) { return 1 + q * (4.5 - 7.5 * c); }
-inline double factor4(double q, double c) { return 1 + q * (4 - 8 * c); }
-inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
-
 II_VECTOR_CLONES
-void sum_round_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                      const FluxSums::Shell& shell, LaneSums& out)
+void sum_bare_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+                     const FluxSums::Shell& shell, LaneSums& out)
 {
   LaneSums sum = out;
   const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
   for (std::size_t g = 0; g < count; ++g) {
     const PointGroup& group = groups[list[g].group];
     const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
-    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2], *variance = group.variance,
-                 *inverse_area2 = group.inverse_area2;
+    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
     const double* weight = weights[list[g].weights].weight;
     for (std::size_t j = 0; j < lanes; ++j) {
       const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
       const double r2 = x * x + y * y + z * z, h_all = (x * nx[j] + y * ny[j] + z * nz[j]) * weight[j];
       const double h = (r2 > inner) & (r2 <= outer) ? h_all : 0.0;
       const double i2 = 1 / bounded(r2), i1 = std::sqrt(i2), i4 = i2 * i2;
-      const double v = variance[j], q = v * i2;
-      const double c = h * h * (i2 * inverse_area2[j]), i5 = i4 * i1;
-      const double w3 = i2 * i1 * factor3(q, c), w4 = i4 * factor4(q, c), w5 = i5 * factor5(q, c);
-      const double hx = h * x, hy = h * y, hz = h * z, hv = h * v;
+      const double w3 = i2 * i1, w5 = i4 * i1;
+      const double hx = h * x, hy = h * y, hz = h * z;
       const double xx = hx * x, xy = hx * y, xz = hx * z, yy = hy * y, yz = hy * z, zz = hz * z;
       add_moments(sum, 0, j, h, hx, hy, hz, xx, xy, xz, yy, yz, zz);
-      add_moments(sum, 10, j, h * w3, hx * w4, hy * w4, hz * w4, xx * w5, xy * w5, xz * w5, yy * w5, yz * w5, zz * w5);
-      sum.value[20][j] += hv;
-      sum.value[21][j] += hv * i5;
+      add_moments(sum, 10, j, h * w3, hx * i4, hy * i4, hz * i4, xx * w5, xy * w5, xz * w5, yy * w5, yz * w5, zz * w5);
     }
   }
   out = sum;
 }
+
+/// What a piece's extent makes of |x|^-3, x |x|^-4 and x xᵀ |x|^-5: 1 and half its variance times the Laplacian in its
+/// plane, q = variance/|x|², c = (h/|x|)² for the unit normal. Of h n, which the latter two have besides, the part
+/// along x is taken; q |x|^-3 on the diagonal of the last one is added apart.
+inline double factor3(double q, double c) { return 1 + q * (4.5 - 7.5 * c); }
+inline double factor4(double q, double c) { return 1 + q * (4 - 8 * c); }
+inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
 
 /// With b = ∫u (x·n): ∫ h f ≈ h f + b·∇f, and the same for f |x|^{−m}, whose gradient along b has the further term
 /// −m (b·x)/|x|² f |x|^{−m}.
@@ -203,7 +198,7 @@ void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, 
                           std::size_t count, const Shell& shell, Shape shape)
 {
   if (count == 0) return;
-  const auto sum = shape == Shape::own ? sum_points : sum_round_points;
+  const auto sum = shape == Shape::own ? sum_points : sum_bare_points;
   sum(groups, weights, list, count, shell, lanes_);
 }
 

@@ -15,7 +15,6 @@ namespace integral_invariant {
 /// the centroid (xx, xy, xz, yy, yz, zz), and its variance, the mean of u² along either direction if it were round.
 struct alignas(64) PointGroup {
   double point[3][kernel_lanes], area[3][kernel_lanes], second[6][kernel_lanes];
-  double variance[kernel_lanes], inverse_area2[kernel_lanes];
 
   void set(std::size_t lane, const std::array<Vec3, 3>& v)
   {
@@ -23,8 +22,6 @@ struct alignas(64) PointGroup {
     point[0][lane] = p.x, point[1][lane] = p.y, point[2][lane] = p.z;
     area[0][lane] = n.x, area[1][lane] = n.y, area[2][lane] = n.z;
     const Symmetric3 s = (outer(v[0] - p) + outer(v[1] - p) + outer(v[2] - p)) * (1.0 / 12);
-    variance[lane] = 0.5 * s.trace();
-    inverse_area2[lane] = squared_norm(n) > 1e-300 ? 1 / squared_norm(n) : 0;
     second[0][lane] = s.xx, second[1][lane] = s.xy, second[2][lane] = s.xz;
     second[3][lane] = s.yy, second[4][lane] = s.yz, second[5][lane] = s.zz;
   }
@@ -55,9 +52,9 @@ struct WeighedGroup {
 };
 
 /// Sums over triangles of h f and h f |x|^{−(d+3)} for f = 1, x, x xᵀ, of degree d: x is a triangle's centroid from the
-/// balls' centre, h = x·∫n. A triangle counts by the integrand at its centroid and half its second moments times the
-/// integrand's second derivatives; a cluster by the integrand, its gradient and, as if it were round, half its variance
-/// times the integrand's Laplacian in its plane.
+/// balls' centre, h = x·∫n. A triangle counts by the integrand at its centroid and, with its shape, half its second
+/// moments times the integrand's second derivatives; a cluster by the integrand, its gradient and, as if it were round,
+/// half its variance times the integrand's Laplacian in its plane.
 class FluxSums {
  public:
   /// What lies in a shell about `centre`: squared distances over `inner` and not over `outer`.
@@ -66,8 +63,8 @@ class FluxSums {
     double inner, outer;
   };
 
-  /// As they are, or as if they were round too, which is a quarter faster.
-  enum class Shape { own, round };
+  /// With their second moments, or as mere points.
+  enum class Shape { own, none };
 
   void add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
                   const Shell& shell, Shape shape);

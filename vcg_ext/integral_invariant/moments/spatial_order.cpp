@@ -20,11 +20,11 @@ struct Key {
   std::uint32_t vertex;
 };
 
-std::vector<Key> sorted_keys(const Surface& surface)
+std::vector<Key> sorted_keys(const Surface& surface, Execution& execution)
 {
   const std::vector<Vec3>& positions = surface.positions();
   // The box is centred at 0 and no longer than its diagonal.
-  const std::vector<std::uint64_t> along = HilbertCurve({}, 0.5 * surface.diagonal()).indices(positions);
+  const std::vector<std::uint64_t> along = HilbertCurve({}, 0.5 * surface.diagonal()).indices(positions, execution);
   std::vector<Key> keys;
   keys.reserve(positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v)
@@ -59,9 +59,10 @@ std::vector<int> merged_bits(const Surface& surface, const std::vector<Key>& key
 }
 
 /// Fills points and vertices; returns the point of every vertex.
-std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense, SpatialOrder& order)
+std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense, SpatialOrder& order,
+                                        Execution& execution)
 {
-  const std::vector<Key> keys = sorted_keys(surface);
+  const std::vector<Key> keys = sorted_keys(surface, execution);
   const std::vector<int> bits = merge_dense ? merged_bits(surface, keys) : std::vector<int>(keys.size(), 0);
   std::vector<std::uint32_t> point_of(surface.vertex_count(), 0);
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -127,8 +128,8 @@ void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& p
     kept.push_back(t);
   }
   order_compactly(items, SpatialOrder::run, execution);
-  order.triangles.reserve(kept.size());
-  for (const PlacedItem& item : items) order.triangles.push_back(kept[item.index]);
+  order.triangles.resize(kept.size());
+  for_each_index(kept.size(), execution, [&](std::size_t i) { order.triangles[i] = kept[items[i].index]; });
 }
 
 void find_normals(SpatialOrder& order)
@@ -160,8 +161,13 @@ void add_free_edge(const DirectedEdge* begin, const DirectedEdge* end, std::vect
     free_edges.push_back({e->high, e->low, -surplus, e->opposite});
 }
 
-/// Edges are bucketed by their smaller point: those buckets are short and stay in the cache.
-void find_free_edges(SpatialOrder& order, Execution& execution)
+/// All edges in buckets by their smaller point: those are short and stay in the cache.
+struct EdgeBuckets {
+  std::vector<DirectedEdge> edges;
+  std::vector<std::uint32_t> end;  ///< of the bucket of each point
+};
+
+EdgeBuckets bucket_edges(const SpatialOrder& order)
 {
   std::vector<std::uint32_t> start(order.points.size() + 1, 0);
   for (const Triangle& t : order.triangles)
@@ -173,14 +179,19 @@ void find_free_edges(SpatialOrder& order, Execution& execution)
       const std::uint32_t a = std::uint32_t(t[i]), b = std::uint32_t(t[(i + 1) % 3]), c = std::uint32_t(t[(i + 2) % 3]);
       edges[start[std::min(a, b)]++] = {std::min(a, b), std::max(a, b), c, a < b};
     }
+  return {std::move(edges), std::move(start)};  // filled, a bucket ends where its start has moved to
+}
+
+void find_free_edges(EdgeBuckets buckets, SpatialOrder& order, Execution& execution)
+{
+  std::vector<DirectedEdge>& edges = buckets.edges;
   const auto less = [](const DirectedEdge& a, const DirectedEdge& b) {
     return std::make_pair(a.high, a.opposite) < std::make_pair(b.high, b.opposite);
   };
-  // Filled, a bucket ends where its start has moved to.
   parallel_step(order.points.size(), 8192, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t point = begin; point < end; ++point)
-      std::sort(edges.begin() + std::ptrdiff_t(point == 0 ? 0 : start[point - 1]),
-                edges.begin() + std::ptrdiff_t(start[point]), less);
+      std::sort(edges.begin() + std::ptrdiff_t(point == 0 ? 0 : buckets.end[point - 1]),
+                edges.begin() + std::ptrdiff_t(buckets.end[point]), less);
   });
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) ++j;
@@ -193,13 +204,20 @@ void find_free_edges(SpatialOrder& order, Execution& execution)
 SpatialOrder order_in_space(const Surface& surface, bool merge_dense, Execution& execution)
 {
   SpatialOrder order;
-  std::vector<std::uint32_t> point_of = merge_places(surface, merge_dense, order);
+  std::vector<std::uint32_t> point_of = merge_places(surface, merge_dense, order, execution);
   order_points(order, point_of, execution);
   execution.check();
   order_triangles(surface, point_of, order, execution);
   execution.check();
-  find_normals(order);
-  find_free_edges(order, execution);
+  EdgeBuckets buckets;
+  parallel_step(2, 1, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t task = begin; task < end; ++task)
+      if (task == 0)
+        buckets = bucket_edges(order);
+      else
+        find_normals(order);
+  });
+  find_free_edges(std::move(buckets), order, execution);
   return order;
 }
 

@@ -70,21 +70,23 @@ std::uint32_t HilbertCurve::cell(double offset) const
   return x > 0 ? std::uint32_t(std::min(x, double((1U << bits) - 1))) : 0;  // 0 where it is not a number
 }
 
-std::vector<std::uint64_t> HilbertCurve::indices(const std::vector<Vec3>& points) const
+std::vector<std::uint64_t> HilbertCurve::indices(const std::vector<Vec3>& points, Execution& execution) const
 {
   std::vector<std::uint64_t> result(points.size());
-  for (std::size_t begin = 0; begin < points.size(); begin += Cells::count) {
-    const std::size_t count = std::min(Cells::count, points.size() - begin);
-    Cells c{};
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 offset = points[begin + i] - low_;
-      c.x[i] = cell(offset.x);
-      c.y[i] = cell(offset.y);
-      c.z[i] = cell(offset.z);
+  parallel_step(points.size(), 8192, execution, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t begin = first; begin < last; begin += Cells::count) {
+      const std::size_t count = std::min(Cells::count, last - begin);
+      Cells c{};
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 offset = points[begin + i] - low_;
+        c.x[i] = cell(offset.x);
+        c.y[i] = cell(offset.y);
+        c.z[i] = cell(offset.z);
+      }
+      unfold(c);
+      for (std::size_t i = 0; i < count; ++i) result[begin + i] = index_of(c.x[i], c.y[i], c.z[i]);
     }
-    unfold(c);
-    for (std::size_t i = 0; i < count; ++i) result[begin + i] = index_of(c.x[i], c.y[i], c.z[i]);
-  }
+  });
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/vec3.h"
 
 namespace integral_invariant {
@@ -18,8 +19,8 @@ class HilbertCurve {
   HilbertCurve(const Vec3& centre, double half_side);
 
   /// Place along the curve, in [0, 2^(3 bits)), of the cell that holds each of the points; outside the cube, of the
-  /// nearest cell. 25 ns a point.
-  std::vector<std::uint64_t> indices(const std::vector<Vec3>& points) const;
+  /// nearest cell. 25 ns a point, on all workers.
+  std::vector<std::uint64_t> indices(const std::vector<Vec3>& points, Execution& execution) const;
 
  private:
   std::uint32_t cell(double offset) const;

@@ -14,9 +14,8 @@
 
 namespace integral_invariant {
 
-/// Elements whose bytes are all zero. A large array takes memory only as it is written, so that the threads that fill it
-/// share the work of its pages; where the system has large pages, it has few of them.
-/// \throw std::bad_alloc
+/// Elements whose bytes are all zero. A large array takes memory only as it is written, so that the threads that fill
+/// it share the work of its pages; where the system has large pages, it has few of them. \throw std::bad_alloc
 template <class T>
 class ZeroedArray {
   static_assert(std::is_trivially_copyable<T>::value, "zero bytes must be a value");
