@@ -28,7 +28,7 @@ void for_each_pass(const std::vector<Triangle>& triangles, const Visit& visit)
 
 }  // namespace
 
-std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t vertices)
+std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t vertices, Execution& execution)
 {
   // Bucketed by the lower end; each bucket is short.
   std::vector<std::uint32_t> next(vertices + 1, 0);
@@ -36,13 +36,17 @@ std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t 
   std::partial_sum(next.begin(), next.end(), next.begin());
   std::vector<Pass> passes(3 * triangles.size());
   for_each_pass(triangles, [&](std::uint32_t low, const Pass& pass) { passes[next[low]++] = pass; });
+  // Filled, a bucket ends where its start has moved to.
+  for_each_index(vertices, execution, [&](std::size_t v) {
+    std::sort(passes.data() + (v == 0 ? 0 : next[v - 1]), passes.data() + next[v],
+              [](const Pass& a, const Pass& b) { return a.high < b.high; });
+  });
 
   std::vector<Edge> edges;
   edges.reserve(passes.size() / 2);
   Pass* pass = passes.data();
   for (std::size_t v = 0; v < vertices; ++v) {
     Pass* const end = passes.data() + next[v];
-    std::sort(pass, end, [](const Pass& a, const Pass& b) { return a.high < b.high; });
     while (pass != end) {
       Edge edge{std::uint32_t(v), pass->high, 0, 0};
       for (; pass != end && pass->high == edge.high; ++pass) ++(pass->forward ? edge.forward : edge.backward);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/triangle_mesh.h"
 
 namespace integral_invariant {
@@ -16,6 +17,6 @@ struct Edge {
 };
 
 /// Every edge once, ordered by (low, high). `vertices`: their number. Cost: O(m log valence), 48 bytes a triangle.
-std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t vertices);
+std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t vertices, Execution& execution);
 
 }  // namespace integral_invariant

@@ -189,7 +189,7 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   execution.begin_stage("checking the surface", 4);
   CanonicalMesh canonical = in_canonical_order(mesh, execution);
   execution.report(0.5);
-  const Surface surface(canonical.mesh);
+  const Surface surface(canonical.mesh, execution);
   canonical.mesh = {};  // the surface has its own
   const std::vector<std::uint32_t>& caller = canonical.caller;
   const std::vector<double> scales = scale_radii(parameters, surface.unit());

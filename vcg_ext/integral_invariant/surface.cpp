@@ -60,10 +60,16 @@ bool closes(const std::vector<Edge>& edges)
 
 Surface::Surface(const TriangleMesh& mesh)
 {
+  Execution execution(1);
+  *this = Surface(mesh, execution);
+}
+
+Surface::Surface(const TriangleMesh& mesh, Execution& execution)
+{
   take_triangles(mesh);
-  std::vector<Edge> edges = edge_list(triangles_, mesh.positions.size());
+  std::vector<Edge> edges = edge_list(triangles_, mesh.positions.size(), execution);
   normalise(mesh, edges);
-  drop_repetitions(edges);
+  drop_repetitions(edges, execution);
   connect(edges);
   turn_outward();
 }
@@ -127,14 +133,14 @@ void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges
   diagonal_ = norm({extent.x / size, extent.y / size, extent.z / size}) / average;
 }
 
-void Surface::drop_repetitions(std::vector<Edge>& edges)
+void Surface::drop_repetitions(std::vector<Edge>& edges, Execution& execution)
 {
   const auto repeats = [](const Edge& e) { return e.forward > 1 || e.backward > 1; };
   if (std::none_of(edges.begin(), edges.end(), repeats)) return;
   std::vector<Triangle> kept = without_repetitions(triangles_, positions_.size());
   report_.duplicate_triangles = triangles_.size() - kept.size();
   if (kept.size() == triangles_.size()) return;
-  std::vector<Edge> kept_edges = edge_list(kept, positions_.size());
+  std::vector<Edge> kept_edges = edge_list(kept, positions_.size(), execution);
   if (!closes(kept_edges) && closes(edges)) return;
   triangles_ = std::move(kept);
   edges = std::move(kept_edges);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/execution.h"
 #include "integral_invariant/triangle_mesh.h"
 
 namespace integral_invariant {
@@ -29,6 +30,8 @@ struct SurfaceReport {
 class Surface {
  public:
   /// Cost O(n + m). \throw InputError without triangles of positive area, or where an index is out of range.
+  Surface(const TriangleMesh& mesh, Execution& execution);
+  /// The same with one thread.
   explicit Surface(const TriangleMesh& mesh);
 
   std::size_t vertex_count() const { return positions_.size(); }
@@ -56,7 +59,7 @@ class Surface {
  private:
   void take_triangles(const TriangleMesh& mesh);
   void normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges);
-  void drop_repetitions(std::vector<Edge>& edges);
+  void drop_repetitions(std::vector<Edge>& edges, Execution& execution);
   void connect(const std::vector<Edge>& edges);
   void turn_outward();
 

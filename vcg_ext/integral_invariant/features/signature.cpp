@@ -53,7 +53,7 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   execution.begin_stage("checking the surface", 4);
   CanonicalMesh canonical = in_canonical_order(mesh, execution);
   execution.report(0.5);
-  const Surface surface(canonical.mesh);
+  const Surface surface(canonical.mesh, execution);
   canonical.mesh = {};  // the surface has its own
   const std::vector<double> radii = scale_radii(ladder, surface.unit());
   Signature signature;
