@@ -25,37 +25,59 @@ using LaneSums = FluxSums::Lanes;
 /// Bounded at 0, where points that do not count may stand.
 inline double bounded(double squared_distance) { return squared_distance > 1e-6 ? squared_distance : 1e-6; }
 
+/// A lane's triangle as the balls' centre sees it: x, |x|², h = weight · x·∫n.
+struct SeenPoint {
+  double x, y, z, r2, h;
+};
+
+[[gnu::always_inline]] inline SeenPoint seen_from(const Vec3& centre, const PointGroup& group,
+                                                  const LaneWeights& weights, std::size_t j)
+{
+  const double x = group.point[0][j] - centre.x, y = group.point[1][j] - centre.y, z = group.point[2][j] - centre.z;
+  return {x, y, z, x * x + y * y + z * z,
+          (x * group.area[0][j] + y * group.area[1][j] + z * group.area[2][j]) * weights.weight[j]};
+}
+
+/// S x for a lane's second moments S.
+[[gnu::always_inline]] inline Vec3 second_times(const PointGroup& group, std::size_t j, const SeenPoint& p)
+{
+  const auto& s = group.second;
+  return {s[0][j] * p.x + s[1][j] * p.y + s[2][j] * p.z, s[1][j] * p.x + s[3][j] * p.y + s[4][j] * p.z,
+          s[2][j] * p.x + s[4][j] * p.y + s[5][j] * p.z};
+}
+
+[[gnu::always_inline]] inline bool holds(const FluxSums::Shell& shell, double r2)
+{
+  return (r2 > shell.inner) & (r2 <= shell.outer);
+}
+
 /// With S = ∫u uᵀ/∫1, s = S x/|x|², t = tr S/|x|² and q = x·s/|x|², half of S : ∇∇ makes of |x|^-3 (7.5 q − 1.5 t)
 /// |x|^-3, of x |x|^-4 ((12 q − 2 t) x − 4 s) |x|^-4, of x xᵀ |x|^-5 ((17.5 q − 2.5 t) x xᵀ − 5 (x sᵀ + s xᵀ) + S)
 /// |x|^-5.
 II_VECTOR_CLONES
 void sum_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                const FluxSums::Shell& shell, LaneSums& out)
+                const FluxSums::Shell& shell_in_memory, LaneSums& out)
 {
   LaneSums sum = out;
-  const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
+  const FluxSums::Shell shell = shell_in_memory;
   for (std::size_t g = 0; g < count; ++g) {
     const PointGroup& group = groups[list[g].group];
-    const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
-    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
+    const LaneWeights& weight = weights[list[g].weights];
     const double *sxx = group.second[0], *sxy = group.second[1], *sxz = group.second[2], *syy = group.second[3],
                  *syz = group.second[4], *szz = group.second[5];
-    const double* weight = weights[list[g].weights].weight;
     for (std::size_t j = 0; j < lanes; ++j) {
-      const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
-      const double r2 = x * x + y * y + z * z, h_all = (x * nx[j] + y * ny[j] + z * nz[j]) * weight[j];
-      const double h = (r2 > inner) & (r2 <= outer) ? h_all : 0.0;
-      const double i2 = 1 / bounded(r2), i1 = std::sqrt(i2);
-      const double sx = (sxx[j] * x + sxy[j] * y + sxz[j] * z) * i2, sy = (sxy[j] * x + syy[j] * y + syz[j] * z) * i2,
-                   sz = (sxz[j] * x + syz[j] * y + szz[j] * z) * i2;
-      const double t = (sxx[j] + syy[j] + szz[j]) * i2, q = (sx * x + sy * y + sz * z) * i2;
+      const SeenPoint p = seen_from(shell.centre, group, weight, j);
+      const double x = p.x, y = p.y, z = p.z, h = holds(shell, p.r2) ? p.h : 0.0;
+      const double i2 = 1 / bounded(p.r2), i1 = std::sqrt(i2);
+      const Vec3 s = second_times(group, j, p) * i2;
+      const double t = (sxx[j] + syy[j] + szz[j]) * i2, q = (s.x * x + s.y * y + s.z * z) * i2;
       const double h4 = h * (i2 * i2), h5 = h4 * i1;
       const double h3 = h * i2 * i1 * (1 + 7.5 * q - 1.5 * t), f4 = 1 + 12 * q - 2 * t, f5 = 0.5 + 8.75 * q - 1.25 * t;
-      const double ux = f5 * x - 5 * sx, uy = f5 * y - 5 * sy, uz = f5 * z - 5 * sz;
+      const double ux = f5 * x - 5 * s.x, uy = f5 * y - 5 * s.y, uz = f5 * z - 5 * s.z;
       const double hx = h * x, hy = h * y, hz = h * z, gx = h5 * x, gy = h5 * y, gz = h5 * z;
       add_moments(sum, 0, j, h, hx, hy, hz, hx * x + h * sxx[j], hx * y + h * sxy[j], hx * z + h * sxz[j],
                   hy * y + h * syy[j], hy * z + h * syz[j], hz * z + h * szz[j]);
-      add_moments(sum, 10, j, h3, h4 * (f4 * x - 4 * sx), h4 * (f4 * y - 4 * sy), h4 * (f4 * z - 4 * sz),
+      add_moments(sum, 10, j, h3, h4 * (f4 * x - 4 * s.x), h4 * (f4 * y - 4 * s.y), h4 * (f4 * z - 4 * s.z),
                   2 * (gx * ux) + h5 * sxx[j], gx * uy + gy * ux + h5 * sxy[j], gx * uz + gz * ux + h5 * sxz[j],
                   2 * (gy * uy) + h5 * syy[j], gy * uz + gz * uy + h5 * syz[j], 2 * (gz * uz) + h5 * szz[j]);
     }
@@ -65,20 +87,17 @@ void sum_points(const PointGroup* groups, const LaneWeights* weights, const Weig
 
 II_VECTOR_CLONES
 void sum_bare_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                     const FluxSums::Shell& shell, LaneSums& out)
+                     const FluxSums::Shell& shell_in_memory, LaneSums& out)
 {
   LaneSums sum = out;
-  const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
+  const FluxSums::Shell shell = shell_in_memory;
   for (std::size_t g = 0; g < count; ++g) {
     const PointGroup& group = groups[list[g].group];
-    const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
-    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
-    const double* weight = weights[list[g].weights].weight;
+    const LaneWeights& weight = weights[list[g].weights];
     for (std::size_t j = 0; j < lanes; ++j) {
-      const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
-      const double r2 = x * x + y * y + z * z, h_all = (x * nx[j] + y * ny[j] + z * nz[j]) * weight[j];
-      const double h = (r2 > inner) & (r2 <= outer) ? h_all : 0.0;
-      const double i2 = 1 / bounded(r2), i1 = std::sqrt(i2), i4 = i2 * i2;
+      const SeenPoint p = seen_from(shell.centre, group, weight, j);
+      const double x = p.x, y = p.y, z = p.z, h = holds(shell, p.r2) ? p.h : 0.0;
+      const double i2 = 1 / bounded(p.r2), i1 = std::sqrt(i2), i4 = i2 * i2;
       const double w3 = i2 * i1, w5 = i4 * i1;
       const double hx = h * x, hy = h * y, hz = h * z;
       const double xx = hx * x, xy = hx * y, xz = hx * z, yy = hy * y, yz = hy * z, zz = hz * z;
@@ -100,10 +119,11 @@ inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
 /// −m (b·x)/|x|² f |x|^{−m}.
 II_VECTOR_CLONES
 void sum_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count,
-                  const FluxSums::Shell& shell, LaneSums& out)
+                  const FluxSums::Shell& shell_in_memory, LaneSums& out)
 {
   LaneSums sum = out;
-  const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z, inner = shell.inner, outer = shell.outer;
+  const FluxSums::Shell shell = shell_in_memory;
+  const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z;
   for (std::size_t g = 0; g < count; ++g) {
     const ClusterGroup& group = groups[list[g]];
     const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
@@ -115,7 +135,7 @@ void sum_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::si
     for (std::size_t j = 0; j < lanes; ++j) {
       const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
       const double r2 = x * x + y * y + z * z;
-      const double in_shell = (r2 > inner) & (r2 <= outer) ? 1.0 : 0.0;
+      const double in_shell = holds(shell, r2) ? 1.0 : 0.0;
       const double h = in_shell * ((x * nx[j] + y * ny[j] + z * nz[j]) + (sxx[j] + syy[j] + szz[j]));
       const double bx = in_shell * (sxx[j] * x + syx[j] * y + szx[j] * z);
       const double by = in_shell * (sxy[j] * x + syy[j] * y + szy[j] * z);
@@ -158,24 +178,18 @@ void sum_kinks(double r, const Vec3& centre, const PointGroup* groups, const Lan
                const WeighedGroup* list, std::size_t count, double (&out)[10][lanes])
 {
   LaneSums sum;
-  const double ox = centre.x, oy = centre.y, oz = centre.z;
+  const Vec3 about = centre;
   for (std::size_t g = 0; g < count; ++g) {
     const PointGroup& group = groups[list[g].group];
-    const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
-    const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
-    const double *sxx = group.second[0], *sxy = group.second[1], *sxz = group.second[2], *syy = group.second[3],
-                 *syz = group.second[4], *szz = group.second[5];
-    const double* weight = weights[list[g].weights].weight;
+    const LaneWeights& weight = weights[list[g].weights];
     for (std::size_t j = 0; j < lanes; ++j) {
-      const double x = px[j] - ox, y = py[j] - oy, z = pz[j] - oz;
-      const double r2 = x * x + y * y + z * z, h = (x * nx[j] + y * ny[j] + z * nz[j]) * weight[j];
-      const double sx = sxx[j] * x + sxy[j] * y + sxz[j] * z, sy = sxy[j] * x + syy[j] * y + syz[j] * z,
-                   sz = sxz[j] * x + syz[j] * y + szz[j] * z;
-      const double w = std::sqrt(3 * bounded((sx * x + sy * y + sz * z) / bounded(r2)));
-      const double within = w - std::abs(std::sqrt(r2) - r);
-      const double k = within > 0 ? h * (within * within) / (4 * w) : 0.0;
-      const double kx = k * x, ky = k * y, kz = k * z;
-      add_moments(sum, 0, j, k, kx, ky, kz, kx * x, kx * y, kx * z, ky * y, ky * z, kz * z);
+      const SeenPoint p = seen_from(about, group, weight, j);
+      const Vec3 s = second_times(group, j, p);
+      const double w = std::sqrt(3 * bounded((s.x * p.x + s.y * p.y + s.z * p.z) / bounded(p.r2)));
+      const double within = w - std::abs(std::sqrt(p.r2) - r);
+      const double k = within > 0 ? p.h * (within * within) / (4 * w) : 0.0;
+      const double kx = k * p.x, ky = k * p.y, kz = k * p.z;
+      add_moments(sum, 0, j, k, kx, ky, kz, kx * p.x, kx * p.y, kx * p.z, ky * p.y, ky * p.z, kz * p.z);
     }
   }
   for (std::size_t i = 0; i < 10; ++i)

@@ -11,8 +11,8 @@
 
 namespace integral_invariant {
 
-/// Triangles, one a lane, each by its centroid, its area vector ∫n, its second moments, the mean of u uᵀ with u from
-/// the centroid (xx, xy, xz, yy, yz, zz), and its variance, the mean of u² along either direction if it were round.
+/// Triangles, one a lane, each by its centroid, its area vector ∫n and its second moments, the mean of u uᵀ with u from
+/// the centroid (xx, xy, xz, yy, yz, zz).
 struct alignas(64) PointGroup {
   double point[3][kernel_lanes], area[3][kernel_lanes], second[6][kernel_lanes];
 
