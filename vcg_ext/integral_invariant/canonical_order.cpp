@@ -5,55 +5,50 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 
-#include "integral_invariant/support/hilbert_curve.h"
+#include "integral_invariant/curve_order.h"
+#include "integral_invariant/support/buckets.h"
 
 namespace integral_invariant {
 
 namespace {
 
 /// Whether a triangle that can bound the solid uses the vertex.
-std::vector<char> used_vertices(const TriangleMesh& mesh)
+std::vector<char> used_vertices(const TriangleMesh& mesh, Execution& execution)
 {
   std::vector<char> used(mesh.positions.size(), 0);
-  for (const Triangle& t : mesh.triangles)
+  for_each_in_order(mesh.triangles.size(), execution, [&](std::size_t i) {
+    const Triangle& t = mesh.triangles[i];
     if (is_proper(t, mesh.positions))
       for (const std::int32_t v : t) used[std::size_t(v)] = 1;
+  });
   return used;
 }
 
-HilbertCurve curve_through(const std::vector<Vec3>& positions, const std::vector<char>& used)
+HilbertCurve curve_through(const std::vector<Vec3>& positions, const std::vector<char>& used, Execution& execution)
 {
   Box box;
-  for (std::size_t v = 0; v < positions.size(); ++v)
+  for_each_in_order(positions.size(), execution, [&](std::size_t v) {
     if (used[v]) box.add(positions[v]);
+  });
   const Vec3 extent = box.high - box.low;
   return {box.low + extent * 0.5, 0.5 * norm(extent)};
 }
 
-struct Key {
-  std::uint64_t index;
-  std::uint32_t vertex;
-};
-
 /// The caller's vertices in canonical order.
 std::vector<std::uint32_t> vertex_order(const TriangleMesh& mesh, Execution& execution)
 {
-  const std::vector<char> used = used_vertices(mesh);
-  const std::vector<std::uint64_t> along = curve_through(mesh.positions, used).indices(mesh.positions, execution);
-  std::vector<Key> keys;
-  keys.reserve(mesh.positions.size());
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-    if (used[v]) keys.push_back({along[v], std::uint32_t(v)});
-  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
-    return a.index != b.index ? a.index < b.index : precedes(a.vertex, b.vertex, mesh.positions);
-  });
+  const std::vector<char> used = used_vertices(mesh, execution);
+  const std::vector<CurvePlace> places = order_along(
+      curve_through(mesh.positions, used, execution), mesh.positions, [&](std::size_t v) { return used[v] != 0; },
+      execution);
   std::vector<std::uint32_t> order;
   order.reserve(mesh.positions.size());
-  for (const Key& key : keys) order.push_back(key.vertex);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+  for_each_in_order(places.size(), execution, [&](std::size_t i) { order.push_back(places[i].vertex); });
+  for_each_in_order(mesh.positions.size(), execution, [&](std::size_t v) {
     if (!used[v]) order.push_back(std::uint32_t(v));
+  });
   return order;
 }
 
@@ -71,24 +66,18 @@ bool precedes_turned(const Triangle& a, const Triangle& b)
 std::vector<Triangle> ordered_triangles(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place,
                                         Execution& execution)
 {
-  const auto renumbered = [&](const Triangle& t) {
-    return smallest_first({std::int32_t(place[std::size_t(t[0])]), std::int32_t(place[std::size_t(t[1])]),
-                           std::int32_t(place[std::size_t(t[2])])});
-  };
-  // By the first vertex in two passes, then each vertex's few; equal ones are repetitions, which nothing tells apart.
-  std::vector<std::uint32_t> start(mesh.positions.size() + 1, 0);
-  for (const Triangle& t : mesh.triangles) ++start[std::size_t(renumbered(t)[0]) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Triangle> triangles(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    const Triangle r = renumbered(t);
-    triangles[start[std::size_t(r[0])]++] = r;
-  }
-  for_each_index(mesh.positions.size(), execution, [&](std::size_t v) {
-    std::sort(triangles.begin() + std::ptrdiff_t(v == 0 ? 0 : start[v - 1]),
-              triangles.begin() + std::ptrdiff_t(start[v]), precedes_turned);
-  });
-  return triangles;
+  // By the first vertex, then each vertex's few; equal ones are repetitions, which nothing tells apart.
+  Buckets<Triangle> buckets =
+      in_buckets<Triangle>(mesh.triangles.size(), place.size(), execution, [&](std::size_t i, const auto& put) {
+        const Triangle& t = mesh.triangles[i];
+        const Triangle renumbered =
+            smallest_first({std::int32_t(place[std::size_t(t[0])]), std::int32_t(place[std::size_t(t[1])]),
+                            std::int32_t(place[std::size_t(t[2])])});
+        put(std::size_t(renumbered[0]), renumbered);
+      });
+  for_each_index(place.size(), execution,
+                 [&](std::size_t v) { std::sort(buckets.begin(v), buckets.end(v), precedes_turned); });
+  return std::move(buckets.items);
 }
 
 }  // namespace
@@ -106,10 +95,10 @@ CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution)
   canonical.caller = vertex_order(mesh, execution);
   canonical.mesh.positions.reserve(mesh.positions.size());
   std::vector<std::uint32_t> place(mesh.positions.size());
-  for (const std::uint32_t v : canonical.caller) {
-    place[v] = std::uint32_t(canonical.mesh.positions.size());
-    canonical.mesh.positions.push_back(mesh.positions[v]);
-  }
+  for_each_in_order(canonical.caller.size(), execution, [&](std::size_t i) {
+    place[canonical.caller[i]] = std::uint32_t(i);
+    canonical.mesh.positions.push_back(mesh.positions[canonical.caller[i]]);
+  });
   canonical.mesh.triangles = ordered_triangles(mesh, place, execution);
   return canonical;
 }

@@ -50,7 +50,7 @@ OffsetFreeField offset_free_at_all_scales(const Surface& surface, const MomentEn
                                           const std::vector<double>& radii, Execution& execution)
 {
   OffsetFreeField field{TensorField(surface.vertex_count(), radii), {}};
-  field.offsets.assign(surface.vertex_count() * radii.size(), 0);
+  resize_in_steps(field.offsets, surface.vertex_count() * radii.size(), execution);
   engine.evaluate(
       radii,
       [&](std::size_t vertex, int scale, const BallMoments& moments) {
@@ -65,11 +65,12 @@ OffsetFreeField offset_free_at_all_scales(const Surface& surface, const MomentEn
 void remove_bias(OffsetFreeField& field, Execution& execution)
 {
   const std::vector<double>& radii = field.tensors.radii();
-  for (std::size_t v = 0; v < field.tensors.vertex_count(); ++v)
+  for_each_index(field.tensors.vertex_count(), execution, [&](std::size_t v) {
     for (std::size_t i = 0; i < radii.size(); ++i)
       field.tensors.set(
           v, int(i),
           without_own_bias(field.tensors.at_scale(v, int(i)), radii[i], field.offsets[v * radii.size() + i], 0));
+  });
   extrapolate_to_zero_radius(field.tensors, execution);
 }
 
@@ -91,11 +92,12 @@ std::vector<double> adapted_radii(const Surface& surface, const TensorField& ten
   return smooth_radii(surface, std::move(adapted.radius), p.smoothing_passes, execution);
 }
 
-void resize_result(std::size_t n, Result& result)
+void resize_result(std::size_t n, Result& result, Execution& execution)
 {
-  for (auto* values : {&result.kappa_max, &result.kappa_min, &result.radius, &result.standard_error}) values->resize(n);
-  for (auto* vectors : {&result.dir_max, &result.dir_min, &result.normal}) vectors->resize(n);
-  result.confidence.resize(n);
+  for (auto* values : {&result.kappa_max, &result.kappa_min, &result.radius, &result.standard_error})
+    resize_in_steps(*values, n, execution);
+  for (auto* vectors : {&result.dir_max, &result.dir_min, &result.normal}) resize_in_steps(*vectors, n, execution);
+  resize_in_steps(result.confidence, n, execution);
 }
 
 /// Writes what a tensor says about vertex v, in the caller's unit.
@@ -116,6 +118,7 @@ void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint
                              const TensorField& tensors, const Parameters& p, Result& result, Execution& execution)
 {
   std::vector<double> radii(surface.vertex_count(), tensors.radii().front());
+  execution.check();
   result.converged = radii.size();
   if (tensors.radii().size() > 1) radii = adapted_radii(surface, tensors, p, result, execution);
 
@@ -203,12 +206,12 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   if (parameters.estimator == Estimator::yang06) {
     const TensorField tensors = tensors_at_all_scales(surface, *engine, scales, execution);
     engine.reset();  // before the arrays of the result: both would be the peak of memory
-    resize_result(surface.vertex_count(), result);
+    resize_result(surface.vertex_count(), result, execution);
     curvature_at_one_radius(surface, caller, tensors, parameters, result, execution);
   } else {
     OffsetFreeField field = offset_free_at_all_scales(surface, *engine, scales, execution);
     engine.reset();
-    resize_result(surface.vertex_count(), result);
+    resize_result(surface.vertex_count(), result, execution);
     if (parameters.radius_choice == RadiusChoice::statistical) {
       curvature_by_evidence(surface, caller, std::move(field), parameters, result, execution);
     } else {

@@ -8,52 +8,58 @@
 #include <cmath>
 
 #include "integral_invariant/edge_list.h"
+#include "integral_invariant/support/buckets.h"
 #include "integral_invariant/support/error.h"
 
 namespace integral_invariant {
 
 namespace {
 
-/// Items of [0, keys.size()) in buckets by key: those of bucket k are order[start[k]] up to order[start[k + 1]].
-struct Buckets {
-  std::vector<std::uint32_t> start, order;
+/// A triangle from its smallest vertex on, and its number.
+struct NumberedTriangle {
+  Triangle triangle;
+  std::uint32_t number;
 };
 
-template <class KeyOf>
-Buckets bucket(std::size_t items, std::size_t keys, const KeyOf& key_of)
+std::vector<Triangle> without_repetitions(const std::vector<Triangle>& triangles, std::size_t vertices,
+                                          Execution& execution)
 {
-  Buckets b;
-  b.start.assign(keys + 1, 0);
-  for (std::size_t i = 0; i < items; ++i) ++b.start[key_of(i) + 1];
-  for (std::size_t k = 0; k < keys; ++k) b.start[k + 1] += b.start[k];
-  b.order.resize(items);
-  std::vector<std::uint32_t> next(b.start.begin(), b.start.end() - 1);
-  for (std::size_t i = 0; i < items; ++i) b.order[next[key_of(i)]++] = std::uint32_t(i);
-  return b;
-}
-
-std::vector<Triangle> without_repetitions(const std::vector<Triangle>& triangles, std::size_t vertices)
-{
-  std::vector<Triangle> key(triangles.size());
-  std::transform(triangles.begin(), triangles.end(), key.begin(), smallest_first);
-  Buckets b = bucket(triangles.size(), vertices, [&](std::size_t i) { return key[i][0]; });
+  Buckets<NumberedTriangle> buckets =
+      in_buckets<NumberedTriangle>(triangles.size(), vertices, execution, [&](std::size_t i, const auto& put) {
+        const Triangle t = smallest_first(triangles[i]);
+        put(std::size_t(t[0]), NumberedTriangle{t, std::uint32_t(i)});
+      });
   std::vector<char> repeated(triangles.size(), 0);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const auto begin = b.order.begin() + b.start[v], end = b.order.begin() + b.start[v + 1];
-    std::sort(begin, end, [&](std::uint32_t i, std::uint32_t j) { return key[i] != key[j] ? key[i] < key[j] : i < j; });
-    for (auto it = begin; it != end; ++it)
-      if (it != begin && key[*it] == key[*(it - 1)]) repeated[*it] = 1;
-  }
+  for_each_index(vertices, execution, [&](std::size_t v) {
+    NumberedTriangle *const begin = buckets.begin(v), *const end = buckets.end(v);
+    std::sort(begin, end, [](const NumberedTriangle& a, const NumberedTriangle& b) {
+      return a.triangle != b.triangle ? a.triangle < b.triangle : a.number < b.number;
+    });
+    for (NumberedTriangle* t = begin; t != end; ++t)
+      if (t != begin && t->triangle == (t - 1)->triangle) repeated[t->number] = 1;
+  });
   std::vector<Triangle> kept;
   kept.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for_each_in_order(triangles.size(), execution, [&](std::size_t i) {
     if (!repeated[i]) kept.push_back(triangles[i]);
+  });
   return kept;
 }
 
-bool closes(const std::vector<Edge>& edges)
+bool closes(const std::vector<Edge>& edges, Execution& execution)
 {
-  return std::all_of(edges.begin(), edges.end(), [](const Edge& e) { return e.forward == e.backward; });
+  bool closes = true;
+  for_each_in_order(edges.size(), execution,
+                    [&](std::size_t i) { closes = closes && edges[i].forward == edges[i].backward; });
+  return closes;
+}
+
+bool repeats(const std::vector<Edge>& edges, Execution& execution)
+{
+  bool repeats = false;
+  for_each_in_order(edges.size(), execution,
+                    [&](std::size_t i) { repeats = repeats || edges[i].forward > 1 || edges[i].backward > 1; });
+  return repeats;
 }
 
 }  // namespace
@@ -66,15 +72,15 @@ Surface::Surface(const TriangleMesh& mesh)
 
 Surface::Surface(const TriangleMesh& mesh, Execution& execution)
 {
-  take_triangles(mesh);
+  take_triangles(mesh, execution);
   std::vector<Edge> edges = edge_list(triangles_, mesh.positions.size(), execution);
-  normalise(mesh, edges);
+  normalise(mesh, edges, execution);
   drop_repetitions(edges, execution);
-  connect(edges);
-  turn_outward();
+  connect(edges, execution);
+  turn_outward(execution);
 }
 
-void Surface::take_triangles(const TriangleMesh& mesh)
+void Surface::take_triangles(const TriangleMesh& mesh, Execution& execution)
 {
   report_.vertices = mesh.positions.size();
   report_.triangles = mesh.triangles.size();
@@ -82,24 +88,27 @@ void Surface::take_triangles(const TriangleMesh& mesh)
     throw InputError(
         "The mesh has no faces. Curvature is measured on a surface: reconstruct one from the points first, "
         "for example with \"Surface Reconstruction: Screened Poisson\".");
-  for (const Vec3& p : mesh.positions) report_.nonfinite_vertices += !is_finite(p);
+  for_each_in_order(mesh.positions.size(), execution,
+                    [&](std::size_t v) { report_.nonfinite_vertices += !is_finite(mesh.positions[v]); });
 
   require_valid_indices(mesh);
   triangles_.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    if (is_proper(t, mesh.positions)) triangles_.push_back(t);
+  for_each_in_order(mesh.triangles.size(), execution, [&](std::size_t i) {
+    if (is_proper(mesh.triangles[i], mesh.positions)) triangles_.push_back(mesh.triangles[i]);
+  });
   report_.left_out_triangles = mesh.triangles.size() - triangles_.size();
 }
 
-void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges)
+void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges, Execution& execution)
 {
   Box box;
   std::vector<char> used(mesh.positions.size(), 0);
-  for (const Triangle& t : triangles_)
-    for (const std::int32_t v : t) {
+  for_each_in_order(triangles_.size(), execution, [&](std::size_t i) {
+    for (const std::int32_t v : triangles_[i]) {
       used[v] = 1;
       box.add(mesh.positions[v]);
     }
+  });
   const Vec3 extent = box.high - box.low;
   const double size = std::max({extent.x, extent.y, extent.z});
   if (triangles_.empty() || size == 0)
@@ -113,14 +122,15 @@ void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges
 
   // By the size first: the squares in a length cannot overflow then, nor underflow.
   const Vec3 centre = box.low + extent * 0.5;
-  positions_.assign(mesh.positions.size(), Vec3{});
-  for (std::size_t v = 0; v < positions_.size(); ++v)
-    if (used[v]) {
-      const Vec3 p = mesh.positions[v] - centre;
-      positions_[v] = {p.x / size, p.y / size, p.z / size};
-    }
+  resize_in_steps(positions_, mesh.positions.size(), execution);
+  for_each_index(positions_.size(), execution, [&](std::size_t v) {
+    if (!used[v]) return;
+    const Vec3 p = mesh.positions[v] - centre;
+    positions_[v] = {p.x / size, p.y / size, p.z / size};
+  });
   double length = 0;
-  for (const Edge& e : edges) length += norm(positions_[e.low] - positions_[e.high]);
+  for_each_in_order(edges.size(), execution,
+                    [&](std::size_t i) { length += norm(positions_[edges[i].low] - positions_[edges[i].high]); });
   const double average = length / double(edges.size());
   // Under it, a coordinate has less than three digits within an edge.
   constexpr double smallest_edge = 1e-12;
@@ -128,63 +138,64 @@ void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges
     throw InputError(
         "The faces of the mesh are too small for how far apart they are: a coordinate cannot hold both. Remove "
         "the faces that lie far away, or measure the parts one by one.");
-  for (Vec3& p : positions_) p *= 1 / average;
+  for_each_index(positions_.size(), execution, [&](std::size_t v) { positions_[v] *= 1 / average; });
   unit_ = size * average;
   diagonal_ = norm({extent.x / size, extent.y / size, extent.z / size}) / average;
 }
 
 void Surface::drop_repetitions(std::vector<Edge>& edges, Execution& execution)
 {
-  const auto repeats = [](const Edge& e) { return e.forward > 1 || e.backward > 1; };
-  if (std::none_of(edges.begin(), edges.end(), repeats)) return;
-  std::vector<Triangle> kept = without_repetitions(triangles_, positions_.size());
+  if (!repeats(edges, execution)) return;
+  std::vector<Triangle> kept = without_repetitions(triangles_, positions_.size(), execution);
   report_.duplicate_triangles = triangles_.size() - kept.size();
   if (kept.size() == triangles_.size()) return;
   std::vector<Edge> kept_edges = edge_list(kept, positions_.size(), execution);
-  if (!closes(kept_edges) && closes(edges)) return;
+  if (!closes(kept_edges, execution) && closes(edges, execution)) return;
   triangles_ = std::move(kept);
   edges = std::move(kept_edges);
 }
 
-void Surface::connect(const std::vector<Edge>& edges)
+void Surface::connect(const std::vector<Edge>& edges, Execution& execution)
 {
   const std::size_t n = positions_.size();
   neighbour_start_.assign(n + 1, 0);
-  for (const Edge& e : edges) {
+  for_each_in_order(edges.size(), execution, [&](std::size_t i) {
+    const Edge& e = edges[i];
     report_.boundary_edges += e.forward + e.backward == 1;
     report_.inconsistent_edges += e.forward + e.backward > 1 && e.forward != e.backward;
     ++neighbour_start_[e.low + 1];
     ++neighbour_start_[e.high + 1];
-  }
-  for (std::size_t v = 0; v < n; ++v) {
+  });
+  for_each_in_order(n, execution, [&](std::size_t v) {
     report_.unreferenced_vertices += neighbour_start_[v + 1] == 0;
     neighbour_start_[v + 1] += neighbour_start_[v];
-  }
+  });
   // Edges come ordered by (low, high), so every list fills in increasing order.
-  neighbours_.resize(2 * edges.size());
+  resize_in_steps(neighbours_, 2 * edges.size(), execution);
   std::vector<std::uint32_t> next(neighbour_start_.begin(), neighbour_start_.end() - 1);
-  for (const Edge& e : edges) neighbours_[next[e.high]++] = e.low;
-  for (const Edge& e : edges) neighbours_[next[e.low]++] = e.high;
+  for_each_in_order(edges.size(), execution, [&](std::size_t i) { neighbours_[next[edges[i].high]++] = edges[i].low; });
+  for_each_in_order(edges.size(), execution, [&](std::size_t i) { neighbours_[next[edges[i].low]++] = edges[i].high; });
 }
 
-void Surface::turn_outward()
+void Surface::turn_outward(Execution& execution)
 {
   double six_volumes = 0, area = 0;
-  for (const Triangle& t : triangles_) {
+  for_each_in_order(triangles_.size(), execution, [&](std::size_t i) {
+    const Triangle& t = triangles_[i];
     const Vec3 &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
     const Vec3 doubled_area = cross(b - a, c - a);
     report_.zero_area_triangles += squared_norm(doubled_area) == 0;
     six_volumes += dot(a, doubled_area);
     area += norm(doubled_area) / 2;
-  }
+  });
   if (!(area > 0))
     throw InputError("No face of the mesh has an area. Check the mesh, for example with \"Remove Zero Area Faces\".");
 
   // A volume within rounding of zero, as of a sheet with two sides, has no inside.
   constexpr double rounding = 1e-10;
   report_.inside_out = is_closed() && six_volumes < -rounding * area * diagonal_;
-  if (report_.inside_out)
-    for (Triangle& t : triangles_) std::swap(t[1], t[2]);
+  if (!report_.inside_out) return;
+  for_each_index(triangles_.size(), execution, [&](std::size_t i) { std::swap(triangles_[i][1], triangles_[i][2]); });
 }
 
 }  // namespace integral_invariant

@@ -57,11 +57,11 @@ class Surface {
   const SurfaceReport& report() const { return report_; }
 
  private:
-  void take_triangles(const TriangleMesh& mesh);
-  void normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges);
+  void take_triangles(const TriangleMesh& mesh, Execution& execution);
+  void normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges, Execution& execution);
   void drop_repetitions(std::vector<Edge>& edges, Execution& execution);
-  void connect(const std::vector<Edge>& edges);
-  void turn_outward();
+  void connect(const std::vector<Edge>& edges, Execution& execution);
+  void turn_outward(Execution& execution);
 
   std::vector<Vec3> positions_;
   std::vector<Triangle> triangles_;

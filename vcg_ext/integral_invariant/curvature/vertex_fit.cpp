@@ -185,21 +185,23 @@ VertexFit VertexFitter::grow_disc(double radius)
   return fit;
 }
 
-std::vector<Vec3> patch_normals(const Surface& surface)
+std::vector<Vec3> patch_normals(const Surface& surface, Execution& execution)
 {
-  const std::size_t n = surface.vertex_count();
   const std::vector<Vec3>& p = surface.positions();
-  std::vector<Vec3> areas(n), normals(n);
-  for (const Triangle& t : surface.triangles()) {
+  std::vector<Vec3> areas, normals;
+  resize_in_steps(areas, p.size(), execution);
+  resize_in_steps(normals, p.size(), execution);
+  for_each_in_order(surface.triangles().size(), execution, [&](std::size_t i) {
+    const Triangle& t = surface.triangles()[i];
     const Vec3 area = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
     for (const int v : t) areas[v] += area;
-  }
-  for (std::size_t v = 0; v < n; ++v) {
+  });
+  for_each_index(p.size(), execution, [&](std::size_t v) {
     normals[v] = areas[v];
     for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
       normals[v] += areas[surface.neighbours()[e]];
     normals[v] = normalized(normals[v]);
-  }
+  });
   return normals;
 }
 
@@ -219,8 +221,9 @@ Vec3 rough_normal(const TensorField& tensors, std::size_t v, const Vec3& patch)
 
 std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution)
 {
-  std::vector<VertexFit> fits(surface.vertex_count());
-  const std::vector<Vec3> normals = patch_normals(surface);
+  std::vector<VertexFit> fits;
+  resize_in_steps(fits, surface.vertex_count(), execution);
+  const std::vector<Vec3> normals = patch_normals(surface, execution);
   VertexFitters fitters(surface, execution);
   parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int worker) {
     VertexFitter& fitter = fitters.of(worker);

@@ -97,7 +97,7 @@ class VertexFitters {
 
 /// Normals of the vertices' patches: of the summed area vectors of the triangles of a vertex and of its neighbours,
 /// which depend on the patch's rim alone, not on the noise inside, and know no other sheet. Cost O(n).
-std::vector<Vec3> patch_normals(const Surface& surface);
+std::vector<Vec3> patch_normals(const Surface& surface, Execution& execution);
 
 /// Normal of the ball of the fourth scale (not the prey of noise), or of the largest under it in which the surface is
 /// nearly a plane; `patch`, where that ball turns away from it because it sees another sheet or a crease.

@@ -43,7 +43,7 @@ void SurfaceTree::sum_moments(Execution& execution)
   const auto& levels = triangles_.levels();
   moments_.resize(levels.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    moments_[level].resize(levels[level].size());
+    resize_in_steps(moments_[level], levels[level].size(), execution);
     parallel_step(levels[level].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t node = begin; node < end; ++node)
         moments_[level][node] = level == 0 ? moments_of_leaf(node) : moments_of_children(level, node);

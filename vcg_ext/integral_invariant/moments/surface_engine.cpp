@@ -33,7 +33,7 @@ class SurfaceEngine : public MomentEngine {
   SurfaceEngine(const Surface& surface, const Parameters& parameters, Execution& execution)
       : parameters_(parameters), tree_(surface, parameters.exactness != Exactness::exact, execution)
   {
-    split_into_blocks();
+    split_into_blocks(execution);
   }
 
   void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
@@ -95,13 +95,13 @@ class SurfaceEngine : public MomentEngine {
   };
 
   /// Runs of points along the curve that stay together: what one ball of the block touches, the others touch too.
-  void split_into_blocks()
+  void split_into_blocks(Execution& execution)
   {
     constexpr std::size_t largest_block = 128;
     constexpr double largest_extent = 15;  // edges
     const std::vector<Vec3>& points = tree_.order().points;
     Vec3 low, high;
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for_each_in_order(points.size(), execution, [&](std::size_t i) {
       const Vec3& p = points[i];
       const Vec3 l{std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
       const Vec3 h{std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
@@ -112,7 +112,7 @@ class SurfaceEngine : public MomentEngine {
         low = l;
         high = h;
       }
-    }
+    });
     blocks_.push_back(points.size());
   }
 

@@ -45,8 +45,9 @@ std::vector<float> distances(const Surface& surface, const std::vector<char>& is
   using Reached = std::pair<float, std::uint32_t>;
   std::vector<float> distance(is_start.size(), INFINITY);
   std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> next;
-  for (std::size_t v = 0; v < is_start.size(); ++v)
+  for_each_in_order(is_start.size(), execution, [&](std::size_t v) {
     if (is_start[v]) next.push({distance[v] = 0, std::uint32_t(v)});
+  });
   constexpr std::size_t check_interval = 65536;
   for (std::size_t popped = 1; !next.empty(); ++popped) {
     if (popped % check_interval == 0) execution.check();

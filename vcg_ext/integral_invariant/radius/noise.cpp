@@ -33,15 +33,16 @@ OffsetScales offset_scales(const std::vector<double>& radii)
 
 /// Areas of the vertices, a third of their triangles', projected along the normals of small balls: noise inflates the
 /// triangles' own areas.
-std::vector<double> projected_areas(const Surface& surface, const TensorField& tensors, int scale)
+std::vector<double> projected_areas(const Surface& surface, const TensorField& tensors, int scale, Execution& execution)
 {
   std::vector<double> area(surface.vertex_count(), 0);
   const std::vector<Vec3>& p = surface.positions();
-  for (const Triangle& t : surface.triangles()) {
+  for_each_in_order(surface.triangles().size(), execution, [&](std::size_t i) {
+    const Triangle& t = surface.triangles()[i];
     const Vec3 doubled = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
     for (const int v : t) area[v] += dot(doubled, tensors.at_scale(v, scale).normal) / 6;
-  }
-  for (double& a : area) a = std::max(a, 0.0);
+  });
+  for_each_index(area.size(), execution, [&](std::size_t v) { area[v] = std::max(area[v], 0.0); });
   return area;
 }
 
@@ -82,23 +83,24 @@ std::vector<double> residual_variance(const std::vector<VertexFit>& fits, const 
   constexpr int rounds = 4;
   const std::size_t n = fits.size();
   std::vector<double> variance(n, -1);
-  std::vector<std::array<double, 2>> local(n);
+  std::vector<std::array<double, 2>> local;
+  resize_in_steps(local, n, execution);
   const auto counts = [&](std::size_t v) { return fits[v].residual >= 0; };
   for_each_index(n, execution, [&](std::size_t v) {
     local[v] = {counts(v) ? 1.0 : 0, counts(v) ? std::log(fits[v].residual + least) : 0};
   });
-  const auto logarithms = pool.sums(local, execution);
+  pool.sum_around(local, execution);
   for_each_index(n, execution, [&](std::size_t v) {
-    if (logarithms[v][0] > 1e-3) variance[v] = std::exp(logarithms[v][1] / logarithms[v][0]);
+    if (local[v][0] > 1e-3) variance[v] = std::exp(local[v][1] / local[v][0]);
   });
   for (int round = 0; round < rounds; ++round) {
     for_each_index(n, execution, [&](std::size_t v) {
       const bool agrees = counts(v) && fits[v].residual < evident * variance[v];
       local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual : 0};
     });
-    const auto sums = pool.sums(local, execution);
+    pool.sum_around(local, execution);
     for_each_index(n, execution, [&](std::size_t v) {
-      if (sums[v][0] > 1e-3) variance[v] = sums[v][1] / sums[v][0];
+      if (local[v][0] > 1e-3) variance[v] = local[v][1] / local[v][0];
     });
   }
   return variance;
@@ -112,16 +114,17 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   const OffsetScales s = offset_scales(tensors.radii());
   const int calm = std::min(s.first + 2, int(scales) - 1);  // a larger ball, whose curvature is less noisy
-  const std::vector<double> area = projected_areas(surface, tensors, calm);
+  const std::vector<double> area = projected_areas(surface, tensors, calm, execution);
   constexpr double usual_area = 0.87, pool_cell = 8;
   // Measured on a sphere: the curvature of its triangulation is off by 0.11 e⁴/r⁴, e the edge length.
   constexpr double flatness_error = 0.11;
 
   Noise noise;
-  noise.offset.resize(n);
-  noise.flatness.resize(n);
-  std::vector<double> uneven(n);  // how much triangles differ in how far they lie inside
-  std::vector<std::array<double, 2>> local(n);
+  std::vector<double> uneven;  // how much triangles differ in how far they lie inside
+  std::vector<std::array<double, 2>> local;
+  for (std::vector<double>* values : {&noise.offset, &noise.flatness, &noise.sigma, &noise.density, &uneven})
+    resize_in_steps(*values, n, execution);
+  resize_in_steps(local, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     const double counts = surface.is_referenced(v) ? smoothness(tensors.at_scale(v, calm), tensors.radii()[calm]) : 0;
     const CurvatureTensor small = tensors.at_scale(v, s.first + 1);
@@ -136,26 +139,24 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
     local[v] = {counts * area[v], counts * area[v] * area[v]};
   });
   const GridPool pool(surface.positions(), pool_cell, execution);
-  const auto pooled_area = pool.sums(local, execution);
+  pool.sum_around(local, execution);
   const std::vector<double> variance = residual_variance(fits, pool, execution);
 
   // Vertices without fits around get the average of the others.
   double variance_sum = 0, count = 0;
   std::vector<double> area_each(n, usual_area);
-  for (std::size_t v = 0; v < n; ++v) {
-    if (pooled_area[v][0] > 0) area_each[v] = pooled_area[v][1] / pooled_area[v][0];
-    if (variance[v] < 0) continue;
+  for_each_in_order(n, execution, [&](std::size_t v) {
+    if (local[v][0] > 0) area_each[v] = local[v][1] / local[v][0];
+    if (variance[v] < 0) return;
     variance_sum += variance[v];
     ++count;
-  }
+  });
   const double usual_variance = count > 0 ? variance_sum / count : 0;
-  noise.sigma.resize(n);
-  noise.density.resize(n);
-  for (std::size_t v = 0; v < n; ++v) {
+  for_each_index(n, execution, [&](std::size_t v) {
     const double own = variance[v] >= 0 ? variance[v] : usual_variance;
     noise.sigma[v] = known_sigma > 0 ? known_sigma : std::sqrt(own);
     noise.density[v] = area_each[v] * (noise.sigma[v] * noise.sigma[v] + uneven[v] * uneven[v]);
-  }
+  });
   noise.mean_sigma = known_sigma > 0 ? known_sigma : std::sqrt(usual_variance);
   return noise;
 }

@@ -45,6 +45,7 @@ class Chain {
         slope_(n_),
         innovation_(n_)
   {
+    resize_in_steps(sums_, n_, execution);
   }
 
   ChainResult run()
@@ -98,9 +99,11 @@ class Chain {
     for_each_index(n_, execution_, [&](std::size_t v) {
       if (e_.balls.largest[v] != i) return;
       const auto& y = signal_.values[v * scales_ + std::size_t(i)];
-      states_[v].value = {double(y[0]), double(y[1])};
-      for (Strand& strand : states_[v].strands) strand.variance = noise_of(v, i);
-      states_[v].log_radius = std::log(e_.radii[std::size_t(i)]);
+      State state;
+      state.value = {double(y[0]), double(y[1])};
+      for (Strand& strand : state.strands) strand.variance = noise_of(v, i);
+      state.log_radius = std::log(e_.radii[std::size_t(i)]);
+      states_[v] = state;
     });
   }
 
@@ -109,19 +112,18 @@ class Chain {
   void regress(int i)
   {
     constexpr double doubt_share = 0.1;
-    std::fill(slope_.begin(), slope_.end(), 0.0);
+    for_each_index(n_, execution_, [&](std::size_t v) { slope_[v] = 0; });
     if (!e_.predict || i + 2 >= int(scales_)) return;
-    std::vector<std::array<double, 4>> products(n_);
     for_each_index(n_, execution_, [&](std::size_t v) {
-      products[v] = {};
+      sums_[v] = {};
       if (i + 1 >= e_.balls.largest[v] || !is_measured(v, i)) return;
       const double square = dot(states_[v].detail, states_[v].detail);
-      products[v] = {dot(difference(v, i), states_[v].detail), square, square * square, 1};
+      sums_[v] = {dot(difference(v, i), states_[v].detail), square, square * square, 1};
     });
-    const auto sums = e_.pools[std::size_t(i)].sums(products, execution_);
+    e_.pools[std::size_t(i)].sum_around(sums_, execution_);
     const double square_law = gap(i) / gap(i + 1), sharing = e_.radii[std::size_t(i)] * e_.radii[std::size_t(i)];
     for_each_index(n_, execution_, [&](std::size_t v) {
-      const auto& [product, square, fourth_power, count] = sums[v];
+      const auto& [product, square, fourth_power, count] = sums_[v];
       const double noise = signal_.components * noise_between(v, i), doubt = doubt_share * sharing * noise;
       if (square + doubt > 0)
         slope_[v] = std::clamp((product + doubt * square_law) / (square + doubt), 0.0,
@@ -141,23 +143,22 @@ class Chain {
 
   void update(int i)
   {
-    std::vector<std::array<double, 4>> energies(n_);
     for_each_index(n_, execution_, [&](std::size_t v) {
-      energies[v] = {};
+      sums_[v] = {};
       innovation_[v] = {};
       if (i >= e_.balls.largest[v] || !is_measured(v, i)) return;
       const Pair d = difference(v, i);
       for (int c = 0; c < 2; ++c) innovation_[v][c] = d[c] - slope_[v] * states_[v].detail[c];
       const double noise = noise_between(v, i);
       // By the noise: noisy members tell less. A crease must not spread its strength over the flat parts around.
-      energies[v] = {1 / noise, 1, 0, 0};
-      for (int k = 0; k < strands_; ++k) energies[v][2 + k] = std::min(energy(v, k) / noise, largest_energy);
+      sums_[v] = {1 / noise, 1, 0, 0};
+      for (int k = 0; k < strands_; ++k) sums_[v][2 + k] = std::min(energy(v, k) / noise, largest_energy);
     });
-    const auto sums = e_.pools[std::size_t(i)].sums(energies, execution_);
+    e_.pools[std::size_t(i)].sum_around(sums_, execution_);
     for_each_index(n_, execution_, [&](std::size_t v) {
       if (i >= e_.balls.largest[v]) return;
       for (int k = 0; k < strands_; ++k) {
-        const double mean = sums[v][0] > 0 ? std::max(0.0, (sums[v][2 + k] - sums[v][1]) / sums[v][0]) : 0;
+        const double mean = sums_[v][0] > 0 ? std::max(0.0, (sums_[v][2 + k] - sums_[v][1]) / sums_[v][0]) : 0;
         update_strand(v, i, k, mean);
       }
     });
@@ -207,9 +208,9 @@ class Chain {
     const double first = e_.radii.front();
     const double beyond = e_.predict && scales_ > 1 ? std::min(1.0, first * first / gap(0)) : 0;
     ChainResult result;
-    result.value.resize(n_);
-    result.variance.resize(n_);
-    result.radius.resize(n_);
+    resize_in_steps(result.value, n_, execution_);
+    resize_in_steps(result.variance, n_, execution_);
+    resize_in_steps(result.radius, n_, execution_);
     for_each_index(n_, execution_, [&](std::size_t v) {
       const State& s = states_[v];
       for (int c = 0; c < 2; ++c) {
@@ -228,9 +229,10 @@ class Chain {
   const ScaleEvidence& e_;
   Execution& execution_;
   const std::size_t n_, scales_;
-  std::vector<State> states_;
-  std::vector<double> slope_;
-  std::vector<Pair> innovation_;
+  ZeroedArray<State> states_;  ///< set at the vertex's largest scale
+  ZeroedArray<double> slope_;
+  ZeroedArray<Pair> innovation_;
+  std::vector<std::array<double, 4>> sums_;  ///< over the neighbourhood
 };
 
 }  // namespace

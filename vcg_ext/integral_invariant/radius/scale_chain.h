@@ -8,6 +8,7 @@
 #include "integral_invariant/radius/whole_balls.h"
 #include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/grid_pool.h"
+#include "integral_invariant/support/zeroed_array.h"
 
 namespace integral_invariant {
 
@@ -19,10 +20,14 @@ inline int strand_count(int components, Evidence evidence) { return evidence == 
 /// A quantity of up to two components, measured at every scale of every vertex, with noise whose differences between
 /// scales are independent (see disc_variance).
 struct Signal {
+  Signal(int component_count, Evidence how, std::size_t places)
+      : components(component_count), evidence(how), values(places), noise(places)
+  {
+  }
   int components;
   Evidence evidence;
-  std::vector<std::array<float, 2>> values;  ///< n × scales
-  std::vector<float> noise;                  ///< n × scales: variance of either component
+  ZeroedArray<std::array<float, 2>> values;  ///< n × scales
+  ZeroedArray<float> noise;                  ///< n × scales: variance of either component
 };
 
 /// What all signals of a run share.

@@ -13,18 +13,19 @@ namespace {
 constexpr std::size_t grain = 2048;
 
 /// σ₂ = average |Δr| along the edges. Summed in vertex order by one thread: the same bits whatever the threads.
-double average_difference(const Surface& surface, const std::vector<double>& radii)
+double average_difference(const Surface& surface, const std::vector<double>& radii, Execution& execution)
 {
   const auto& start = surface.neighbour_start();
   const auto& neighbours = surface.neighbours();
   double sum = 0;
   std::size_t edges = 0;
-  for (std::size_t v = 0; v < radii.size(); ++v)
+  for_each_in_order(radii.size(), execution, [&](std::size_t v) {
     for (std::uint32_t e = start[v]; e < start[v + 1]; ++e)
       if (neighbours[e] > v) {
         sum += std::abs(radii[neighbours[e]] - radii[v]);
         ++edges;
       }
+  });
   return edges ? sum / double(edges) : 0;
 }
 
@@ -39,7 +40,7 @@ std::vector<double> smooth_radii(const Surface& surface, std::vector<double> rad
 
   std::vector<double> smoothed(radii.size());
   for (int pass = 0; pass < passes; ++pass) {
-    const double range_sigma = average_difference(surface, radii);
+    const double range_sigma = average_difference(surface, radii, execution);
     if (!(range_sigma > 0)) break;  // the radius is constant
     const double inverse_range = 1 / (2 * range_sigma * range_sigma);
     parallel_for(

@@ -65,12 +65,8 @@ Components components_of(const CurvatureTensor& t, const Frame& f)
 Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const std::vector<Frame>& frames,
                      const Noise& noise, Execution& execution)
 {
-  const std::size_t n = frames.size(), scales = tensors.radii().size();
-  Signals s{{1, Evidence::joint, {}, {}}, {2, Evidence::each, {}, {}}, {2, Evidence::each, {}, {}}};
-  for (Signal* signal : {&s.mean, &s.deviator, &s.normal}) {
-    signal->values.resize(n * scales);
-    signal->noise.resize(n * scales);
-  }
+  const std::size_t n = frames.size(), scales = tensors.radii().size(), places = n * scales;
+  Signals s{{1, Evidence::joint, places}, {2, Evidence::each, places}, {2, Evidence::each, places}};
   parallel_for(
       n, 2048, execution,
       [&](std::size_t begin, std::size_t end, int) {
@@ -105,16 +101,16 @@ struct FittedSignals {
 };
 
 /// Fits that reach over a crease, and those beside them: a polynomial overshoots it, and swings to both sides of it.
-std::vector<char> near_creases(const Surface& surface, const std::vector<VertexFit>& fits)
+std::vector<char> near_creases(const Surface& surface, const std::vector<VertexFit>& fits, Execution& execution)
 {
   constexpr double largest_kr = 1.3;
   std::vector<char> near(fits.size(), 0);
-  for (std::size_t v = 0; v < fits.size(); ++v) {
-    if (!(largest_absolute_curvature(fits[v].tensor) * fits[v].reach > largest_kr)) continue;
+  for_each_in_order(fits.size(), execution, [&](std::size_t v) {
+    if (!(largest_absolute_curvature(fits[v].tensor) * fits[v].reach > largest_kr)) return;
     near[v] = 1;
     for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
       near[surface.neighbours()[e]] = 1;
-  }
+  });
   return near;
 }
 
@@ -123,11 +119,12 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
 {
   constexpr double evident_residual = 6, least_variance = 1e-20;
   const std::size_t n = fits.size();
-  const std::vector<char> is_near_crease = near_creases(surface, fits);
+  const std::vector<char> is_near_crease = near_creases(surface, fits, execution);
   FittedSignals s{{1, Evidence::joint, {}, {}}, {2, Evidence::each, {}, {}}, {2, Evidence::each, {}, {}}};
   for (FittedSignal* signal : {&s.mean, &s.deviator, &s.normal}) {
-    signal->values.resize(n);
+    resize_in_steps(signal->values, n, execution);
     signal->noise.assign(n, INFINITY);
+    execution.check();
   }
   for_each_index(n, execution, [&](std::size_t v) {
     const VertexFit& fit = fits[v];
@@ -186,8 +183,10 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   if (removes_bias) remove_own_bias(tensors, noise, execution);
   const WholeBalls balls = find_whole_balls(surface, offsets, fits, noise, removes_bias, tensors, execution);
 
-  std::vector<Frame> frames(n);
-  std::vector<double> least_radius(n);
+  std::vector<Frame> frames;
+  std::vector<double> least_radius;
+  resize_in_steps(frames, n, execution);
+  resize_in_steps(least_radius, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     frames[v] = frame_of(v, tensors, balls);
     least_radius[v] = least_radius_over_sigma * noise.sigma[v];
@@ -217,8 +216,8 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   // Measured: variances are first order in the noise; slopes of strong noise make the errors larger.
   constexpr double second_order = 1.5;
   StatisticalCurvature result;
-  result.tensor.resize(n);
-  result.standard_error.resize(n);
+  resize_in_steps(result.tensor, n, execution);
+  resize_in_steps(result.standard_error, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     result.tensor[v] = assemble(frames[v], mean.value[v][0], deviator.value[v], normal.value[v]);
     result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;

@@ -14,8 +14,10 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
   constexpr double least_noise = 1e-30;  // of fits that are exact: energies stay finite
   const std::size_t n = fitted.values.size();
   const int strands = strand_count(fitted.components, fitted.evidence), of_each = fitted.components / strands;
-  std::vector<std::array<double, 3>> energies(n);
-  std::vector<std::array<double, 2>> own(n);
+  std::vector<std::array<double, 3>> energies;
+  std::vector<std::array<double, 2>> own;
+  resize_in_steps(energies, n, execution);
+  resize_in_steps(own, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     energies[v] = {};
     own[v] = {};
@@ -28,11 +30,11 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
       energies[v][1 + k] = std::min(own[v][k], largest_energy);
     }
   });
-  const auto sums = pool.sums(energies, execution);
+  pool.sum_around(energies, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     if (!std::isfinite(fitted.noise[v])) return;
     for (int k = 0; k < strands; ++k) {
-      double shape = sums[v][1 + k] / sums[v][0] - 1;
+      double shape = energies[v][1 + k] / energies[v][0] - 1;
       if (shape < least_share && own[v][k] < undeniable_energy) continue;
       shape = std::max(shape, own[v][k] - evident_energy);
       const double weight = shape / (shape + 1);

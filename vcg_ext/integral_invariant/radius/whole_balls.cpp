@@ -103,11 +103,12 @@ void replace_cut_balls(const Surface& surface, const Noise& noise, const Creases
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   std::vector<std::uint32_t> cut;
-  for (std::size_t v = 0; v < n; ++v)
+  for_each_in_order(n, execution, [&](std::size_t v) {
     if (has_cut_ball(v, surface, balls, scales)) cut.push_back(std::uint32_t(v));
+  });
   if (cut.empty()) return;
-  balls.variance.resize(n * scales);
-  const std::vector<Vec3> normals = patch_normals(surface);
+  resize_in_steps(balls.variance, n * scales, execution);
+  const std::vector<Vec3> normals = patch_normals(surface, execution);
   VertexFitters fitters(surface, execution, creases.is_crease);
   parallel_for(
       cut.size(), 64, execution,
@@ -147,34 +148,35 @@ void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorFie
 }
 
 /// A ball that reaches over a crease gives way to a fit to its own side of it.
-void give_up_creased_balls(const Creases& creases, const std::vector<double>& radii, WholeBalls& balls)
+void give_up_creased_balls(const Creases& creases, const std::vector<double>& radii, WholeBalls& balls,
+                           Execution& execution)
 {
   constexpr double slack = 0.3;  // distances run along edges, and the least of a ball is at its rim
-  for (std::size_t v = 0; v < creases.distance.size(); ++v) {
-    if (creases.is_crease[v]) continue;
+  for_each_index(creases.distance.size(), execution, [&](std::size_t v) {
+    if (creases.is_crease[v]) return;
     for (std::size_t i = 1; i < radii.size(); ++i)
       if (radii[i] > double(creases.distance[v]) + slack) balls.origin[v * radii.size() + i] = Origin::none;
-  }
+  });
 }
 
 /// On a crease every scale says something else, 1/r: the smallest that noise leaves speaks for it, and nothing of it
 /// enters the averages over the neighbourhood. Not where the ball sees another sheet and discs have been fitted.
 void keep_one_scale_on_creases(const Creases& creases, const std::vector<double>& radii, const Noise& noise,
-                               WholeBalls& balls)
+                               WholeBalls& balls, Execution& execution)
 {
   const std::size_t scales = radii.size();
-  for (std::size_t v = 0; v < creases.is_crease.size(); ++v) {
+  for_each_index(creases.is_crease.size(), execution, [&](std::size_t v) {
     const auto origin = balls.origin.begin() + std::ptrdiff_t(v * scales);
     const auto end = origin + std::ptrdiff_t(scales);
     const bool is_fitted = origin[creases.scale] != Origin::own && std::find(origin, end, Origin::vertices) != end;
-    if (!creases.is_crease[v] || is_fitted) continue;
+    if (!creases.is_crease[v] || is_fitted) return;
     const double least_radius = least_radius_over_sigma * noise.sigma[v];
     int sharpest = 0;
     while (sharpest < creases.scale && radii[std::size_t(sharpest)] < least_radius) ++sharpest;
     balls.largest[v] = sharpest;
     std::fill(origin, end, Origin::none);
     origin[sharpest] = Origin::own;
-  }
+  });
 }
 
 int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const WholeBalls& balls)
@@ -209,8 +211,8 @@ WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& of
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   WholeBalls balls;
-  balls.origin.assign(n * scales, Origin::none);
-  balls.largest.resize(n);
+  resize_in_steps(balls.origin, n * scales, execution);  // none
+  resize_in_steps(balls.largest, n, execution);
   parallel_for(
       n, 2048, execution,
       [&](std::size_t begin, std::size_t end, int) {
@@ -219,7 +221,7 @@ WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& of
       },
       0.1, 0.12);
   const Creases creases = find_creases(surface, tensors, fits, noise, execution);
-  give_up_creased_balls(creases, tensors.radii(), balls);
+  give_up_creased_balls(creases, tensors.radii(), balls, execution);
   replace_cut_balls(surface, noise, creases, removes_bias, tensors, balls, execution);
   parallel_for(
       n, 2048, execution,
@@ -227,7 +229,7 @@ WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& of
         for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, noise.sigma[v], balls);
       },
       0.15, 0.2);
-  keep_one_scale_on_creases(creases, tensors.radii(), noise, balls);
+  keep_one_scale_on_creases(creases, tensors.radii(), noise, balls, execution);
   return balls;
 }
 

@@ -158,6 +158,7 @@ void parallel_for(std::size_t count, std::size_t grain, Execution& execution, co
     while (!crew.wait_for(poll_interval)) execution.report(from + (to - from) * queue.fraction());
   }
   if (queue.error()) std::rethrow_exception(queue.error());
+  execution.report(to);
 }
 
 }  // namespace integral_invariant

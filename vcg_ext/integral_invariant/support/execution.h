@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -79,6 +80,31 @@ void for_each_index(std::size_t count, Execution& execution, const Body& body)
   parallel_step(count, grain, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
+}
+
+/// Calls `body` with every index in [0, count), in order, on the calling thread; asks every now and then whether to go
+/// on. \throw Cancelled
+template <class Body>
+void for_each_in_order(std::size_t count, Execution& execution, const Body& body)
+{
+  constexpr std::size_t block = 65536;  // a few milliseconds' work
+  for (std::size_t begin = 0; begin < count; begin += block) {
+    const std::size_t end = std::min(begin + block, count);
+    for (std::size_t i = begin; i < end; ++i) body(i);
+    execution.check();
+  }
+}
+
+/// Resizes to `size`; asks meanwhile, for the system takes a second to hand out a few gigabytes. \throw Cancelled
+template <class T>
+void resize_in_steps(std::vector<T>& values, std::size_t size, Execution& execution)
+{
+  constexpr std::size_t block = (std::size_t(1) << 25) / sizeof(T) + 1;
+  values.reserve(size);
+  while (values.size() < size) {
+    values.resize(std::min(size, values.size() + block));
+    execution.check();
+  }
 }
 
 }  // namespace integral_invariant

@@ -3,50 +3,77 @@
 
 #include <cmath>
 #include <unordered_map>
+#include <utility>
+
+#include "integral_invariant/support/buckets.h"
 
 namespace integral_invariant {
 
 namespace {
 
 /// 21 bits a coordinate: grids of up to two million cells along each axis.
+constexpr int coordinate_bits = 21;
+
 std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z)
 {
-  constexpr std::int64_t mask = (std::int64_t(1) << 21) - 1;
-  return std::uint64_t(x & mask) << 42 | std::uint64_t(y & mask) << 21 | std::uint64_t(z & mask);
+  constexpr std::int64_t mask = (std::int64_t(1) << coordinate_bits) - 1;
+  return std::uint64_t(x & mask) << 2 * coordinate_bits | std::uint64_t(y & mask) << coordinate_bits |
+         std::uint64_t(z & mask);
 }
+
+/// The key of the cell's corner: the cell's own but one farther along some axes.
+std::uint64_t corner_key(std::uint64_t cell, int corner)
+{
+  const auto coordinate = [&](int place) { return std::int64_t(cell >> place * coordinate_bits); };
+  return key_of(coordinate(2) + (corner & 1), coordinate(1) + (corner >> 1 & 1), coordinate(0) + (corner >> 2));
+}
+
+/// Numbers from 0 on for keys, in the order in which they come.
+class Numbering {
+ public:
+  std::uint32_t of(std::uint64_t key)
+  {
+    return numbers_.try_emplace(key, std::uint32_t(numbers_.size())).first->second;
+  }
+  std::size_t count() const { return numbers_.size(); }
+
+ private:
+  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
+};
 
 }  // namespace
 
 GridPool::GridPool(const std::vector<Vec3>& places, double cell, Execution& execution)
-    : corners_(places.size()), fractions_(places.size())
 {
-  std::unordered_map<std::uint64_t, std::array<std::uint32_t, 8>> cells;
-  std::unordered_map<std::uint64_t, std::uint32_t> nodes;
-  std::uint64_t last_key = 0;
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    if (v % check_interval == 0) execution.check();
-    const double scaled[3] = {places[v].x / cell, places[v].y / cell, places[v].z / cell};
-    std::int64_t base[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double low = std::floor(scaled[axis]);
-      base[axis] = std::int64_t(low);
-      fractions_[v][axis] = float(scaled[axis] - low);
+  const auto scaled = [&](std::size_t v) { return places[v] * (1 / cell); };
+  std::vector<std::uint64_t> keys(places.size());
+  for_each_index(places.size(), execution, [&](std::size_t v) {
+    const Vec3 p = scaled(v);
+    keys[v] = key_of(std::int64_t(std::floor(p.x)), std::int64_t(std::floor(p.y)), std::int64_t(std::floor(p.z)));
+  });
+  Numbering cells, nodes;
+  std::vector<std::uint32_t> cell_of(places.size());
+  for_each_in_order(places.size(), execution, [&](std::size_t v) {
+    if (v > 0 && keys[v] == keys[v - 1]) {
+      cell_of[v] = cell_of[v - 1];
+      return;
     }
-    const std::uint64_t key_of_cell = key_of(base[0], base[1], base[2]);
-    if (v > 0 && key_of_cell == last_key) {
-      corners_[v] = corners_[v - 1];
-      continue;
-    }
-    last_key = key_of_cell;
-    const auto [it, added] = cells.try_emplace(key_of_cell);
-    if (added)
-      for (int corner = 0; corner < 8; ++corner) {
-        const std::uint64_t key = key_of(base[0] + (corner & 1), base[1] + (corner >> 1 & 1), base[2] + (corner >> 2));
-        it->second[corner] = nodes.try_emplace(key, std::uint32_t(nodes.size())).first->second;
-      }
-    corners_[v] = it->second;
-  }
-  node_count_ = nodes.size();
+    cell_of[v] = cells.of(keys[v]);
+    if (cell_of[v] < cells_.size()) return;
+    cells_.emplace_back();
+    for (int corner = 0; corner < 8; ++corner) cells_.back().nodes[corner] = nodes.of(corner_key(keys[v], corner));
+  });
+  node_count_ = nodes.count();
+
+  Buckets<Place> buckets =
+      in_buckets<Place>(places.size(), cells_.size(), execution, [&](std::size_t v, const auto& put) {
+        const Vec3 p = scaled(v);
+        put(cell_of[v],
+            Place{{float(p.x - std::floor(p.x)), float(p.y - std::floor(p.y)), float(p.z - std::floor(p.z))},
+                  std::uint32_t(v)});
+      });
+  places_ = std::move(buckets.items);
+  for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i].places_end = buckets.ends[i];
 }
 
 }  // namespace integral_invariant

@@ -26,6 +26,7 @@ class ZeroedArray {
     if (!elements_) throw std::bad_alloc();
     ask_for_large_pages(size * sizeof(T));
   }
+  T* data() { return elements_.get(); }
   T& operator[](std::size_t i) { return elements_[i]; }
   const T& operator[](std::size_t i) const { return elements_[i]; }
 
