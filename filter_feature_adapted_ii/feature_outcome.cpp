@@ -36,15 +36,30 @@ constexpr int curvature_share = 85;
 struct Measured {
   Measured(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
       : result(compute_curvature(mesh, request.method, first_part(progress, curvature_share))),
-        surface(mesh),
-        execution(request.method.threads, last_part(progress, curvature_share))
+        execution(begun(request, last_part(progress, curvature_share))),
+        surface(mesh, execution)
   {
   }
 
   Result result;
-  Surface surface;
   Execution execution;
+  Surface surface;
+
+ private:
+  static Execution begun(const Request& request, const ProgressCallback& progress)
+  {
+    Execution execution(request.method.threads, progress);
+    execution.begin_stage("checking the surface", 10);
+    return execution;
+  }
 };
+
+CanonicalMesh canonical_mesh(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
+{
+  Execution execution(request.method.threads, progress);
+  execution.begin_stage("checking the surface", 0);
+  return in_canonical_order(mesh, execution);
+}
 
 /// The log of a run whose own findings are `lines`.
 void add_log(Measured& measured, const char* title, const std::vector<std::string>& lines, FeatureOutcome& outcome)
@@ -79,7 +94,7 @@ FeatureOutcome ridges_and_valleys(const CanonicalMesh& canonical, const Request&
   if (!p.ridges && !p.valleys) throw ParameterError("Nothing is asked for: set 'ridges' or 'valleys' to true.");
   Measured measured(canonical.mesh, request, progress);
   measured.execution.begin_stage("ridges and valleys", 100);
-  const RidgeValleyRegions found = find_ridges_and_valleys(measured.surface, measured.result, p);
+  const RidgeValleyRegions found = find_ridges_and_valleys(measured.surface, measured.result, p, measured.execution);
 
   FeatureOutcome outcome;
   outcome.selection = in_order_of(canonical.caller, found.region);
@@ -146,7 +161,7 @@ FeatureOutcome principal_directions(const TriangleMesh& mesh, const Request& req
   FeatureOutcome outcome;
   std::string found;
   if (request.layer.style == DirectionStyle::segments) {
-    const auto segments = direction_segments(measured.surface, field, p);
+    const auto segments = direction_segments(measured.surface, field, p, measured.execution);
     outcome.lines = segment_layer(mesh, measured.result, segments, style);
     outcome.values = {{"lines", int(segments.size())}};
     found = "Drawn: " + std::to_string(segments.size()) + " segments";
@@ -222,11 +237,11 @@ FeatureOutcome compute_feature(FilterId filter, const TriangleMesh& mesh, const 
 {
   switch (filter) {
     case FilterId::ridges_and_valleys:
-      return ridges_and_valleys(in_canonical_order(mesh), request, progress);
+      return ridges_and_valleys(canonical_mesh(mesh, request, progress), request, progress);
     case FilterId::crest_lines:
-      return crest_lines(in_canonical_order(mesh).mesh, request, progress);
+      return crest_lines(canonical_mesh(mesh, request, progress).mesh, request, progress);
     case FilterId::principal_directions:
-      return principal_directions(in_canonical_order(mesh).mesh, request, progress);
+      return principal_directions(canonical_mesh(mesh, request, progress).mesh, request, progress);
     case FilterId::signature:
       return signature(mesh, request, progress);  // no stage of it depends on the order
     case FilterId::curvature:

@@ -26,6 +26,12 @@ std::vector<CurvatureLine> lines_of(const TriangleMesh& mesh, const Result& resu
   return trace_curvature_lines(Surface(mesh), curvature_field(result), p, execution);
 }
 
+std::vector<DirectionSegment> segments_of(const TriangleMesh& mesh, const Result& result, const DirectionParameters& p)
+{
+  Execution execution;
+  return direction_segments(Surface(mesh), curvature_field(result), p, execution);
+}
+
 DirectionParameters family(DirectionFamily which, double spacing = 0)
 {
   DirectionParameters p;
@@ -183,7 +189,7 @@ TEST(DirectionLines, SpheresHaveNone)
   const TriangleMesh mesh = icosphere(4, 1);
   Result result = ellipsoid_curvature(mesh, {1, 1, 1});
   EXPECT_TRUE(lines_of(mesh, result, family(DirectionFamily::maximal)).empty());
-  EXPECT_TRUE(direction_segments(Surface(mesh), curvature_field(result), {}).empty());
+  EXPECT_TRUE(segments_of(mesh, result, {}).empty());
 }
 
 TEST(DirectionLines, EndAtBoundaries)
@@ -211,7 +217,7 @@ TEST(DirectionLines, SegmentsAreEvenlySpacedTangentAndOfTheAskedLength)
   p.spacing = 0.3;
   p.segment_length = 0.2;
   const Result result = torus_curvature(mesh, major, tube);
-  const auto segments = direction_segments(Surface(mesh), curvature_field(result), p);
+  const auto segments = segments_of(mesh, result, p);
   const double area = 4 * pi * pi * major * tube;
   EXPECT_GT(segments.size(), 2 * area / (1.4 * 0.3 * 0.3));
   for (const DirectionSegment& s : segments) {
@@ -232,7 +238,7 @@ TEST(DirectionLines, LengthsOutOfRangeAreRefusedByName)
         if (traced)
           lines_of(mesh, result, p);
         else
-          direction_segments(Surface(mesh), curvature_field(result), p);
+          segments_of(mesh, result, p);
         ADD_FAILURE() << spacing;
       } catch (const ParameterError& e) {
         EXPECT_NE(std::string(e.what()).find("'spacing'"), std::string::npos) << e.what();
@@ -253,7 +259,8 @@ TEST(SurfaceWalk, StaysWhereThereIsNoWayOn)
   // A triangle without area has no gradients, so no side is ever reached.
   const TriangleMesh mesh{{{5, 5, 5}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}}, {{1, 2, 3}, {1, 2, 4}}};
   const Surface surface(mesh);
-  const Topology topology(surface);
+  Execution execution(1);
+  const Topology topology(surface, execution);
   const std::vector<Vec3> lines(mesh.positions.size(), Vec3{1, 0, 0});
   SurfacePoint inside;
   const WalkState next = SurfaceWalk(surface, topology).along({1, {0.2, 0.3, 0.5}, {1, 0, 0}}, lines, inside);

@@ -29,6 +29,12 @@ Result painted(const TriangleMesh& mesh, const F& kappa_max, const G& kappa_min)
   return result;
 }
 
+RidgeValleyRegions regions_of(const Surface& surface, const Result& result, const RidgeValleyParameters& p)
+{
+  Execution execution;
+  return find_ridges_and_valleys(surface, result, p, execution);
+}
+
 RidgeValleyParameters absolute(double high, double low)
 {
   RidgeValleyParameters p;
@@ -54,7 +60,7 @@ TEST(RidgesAndValleys, HysteresisKeepsWeakVerticesOnlyNextToStrongOnes)
                                        : std::abs(p.z) > 0.6 ? 5.0
                                                              : 1.0; },
       [](const Vec3&) { return 0.0; });
-  const auto found = find_ridges_and_valleys(Surface(mesh), result, absolute(8, 4));
+  const auto found = regions_of(Surface(mesh), result, absolute(8, 4));
   ASSERT_EQ(found.regions.size(), 1u);
   EXPECT_EQ(found.regions[0].kind, FeatureKind::ridge);
   EXPECT_NEAR(found.regions[0].area, 2 * 3.14159265 * (1 - 0.6), 0.2);
@@ -69,12 +75,12 @@ TEST(RidgesAndValleys, SmallRegionsAreDroppedByVerticesAndByArea)
   const Result result = painted(
       mesh, [](const Vec3& p) { return p.z > 0.8 || p.z < -0.95 ? 10.0 : 0.0; }, [](const Vec3&) { return 0.0; });
   RidgeValleyParameters p = absolute(8, 4);
-  EXPECT_EQ(find_ridges_and_valleys(Surface(mesh), result, p).regions.size(), 2u);
+  EXPECT_EQ(regions_of(Surface(mesh), result, p).regions.size(), 2u);
   p.minimum_vertices = 150;
-  EXPECT_EQ(find_ridges_and_valleys(Surface(mesh), result, p).regions.size(), 1u);
+  EXPECT_EQ(regions_of(Surface(mesh), result, p).regions.size(), 1u);
   p.minimum_vertices = 0;
   p.minimum_area = 0.6;
-  const auto found = find_ridges_and_valleys(Surface(mesh), result, p);
+  const auto found = regions_of(Surface(mesh), result, p);
   ASSERT_EQ(found.regions.size(), 1u);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     EXPECT_EQ(found.region[v], mesh.positions[v].z > 0.8 ? 0 : -1);
@@ -87,13 +93,13 @@ TEST(RidgesAndValleys, PercentileMarksThatPartOfTheVertices)
       mesh, [](const Vec3& p) { return p.z + 2; }, [](const Vec3& p) { return -(2 - p.z); });
   RidgeValleyParameters p;
   p.high_percentile = p.low_percentile = 90;
-  const auto found = find_ridges_and_valleys(Surface(mesh), result, p);
+  const auto found = regions_of(Surface(mesh), result, p);
   const double part =
       double(count(found, FeatureKind::ridge) + count(found, FeatureKind::valley)) / double(mesh.positions.size());
   EXPECT_NEAR(part, 0.1, 0.01);
   EXPECT_EQ(found.regions.size(), 2u);  // |κ| is largest at both poles: a ridge at the upper, a valley at the lower one
   p.valleys = false;
-  EXPECT_EQ(count(find_ridges_and_valleys(Surface(mesh), result, p), FeatureKind::valley), 0u);
+  EXPECT_EQ(count(regions_of(Surface(mesh), result, p), FeatureKind::valley), 0u);
 }
 
 TEST(RidgesAndValleys, StandWhereTheyWereBuiltAlsoWithNoise)
@@ -106,8 +112,7 @@ TEST(RidgesAndValleys, StandWhereTheyWereBuiltAlsoWithNoise)
       mesh = with_normal_noise(mesh, sigma * edge);
       Parameters parameters;
       if (sigma > 0) parameters.r_min = 4 * edge;
-      const auto found =
-          find_ridges_and_valleys(Surface(mesh), compute_curvature(mesh, parameters), absolute(1.8, 1.2));
+      const auto found = regions_of(Surface(mesh), compute_curvature(mesh, parameters), absolute(1.8, 1.2));
       const FeatureKind kind = sign > 0 ? FeatureKind::ridge : FeatureKind::valley;
       double centre = 0, n = 0;
       for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -129,11 +134,11 @@ TEST(RidgesAndValleys, RefuseThresholdsThatContradict)
   const TriangleMesh mesh = icosphere(2);
   const Result result = ellipsoid_curvature(mesh, {1, 1, 1});
   const Surface surface(mesh);
-  EXPECT_THROW(find_ridges_and_valleys(surface, result, absolute(0, 0)), ParameterError);
-  EXPECT_THROW(find_ridges_and_valleys(surface, result, absolute(1, 2)), ParameterError);
+  EXPECT_THROW(regions_of(surface, result, absolute(0, 0)), ParameterError);
+  EXPECT_THROW(regions_of(surface, result, absolute(1, 2)), ParameterError);
   RidgeValleyParameters p;
   p.low_percentile = 99;
-  EXPECT_THROW(find_ridges_and_valleys(surface, result, p), ParameterError);
+  EXPECT_THROW(regions_of(surface, result, p), ParameterError);
   p.high_percentile = 101;
-  EXPECT_THROW(find_ridges_and_valleys(surface, result, p), ParameterError);
+  EXPECT_THROW(regions_of(surface, result, p), ParameterError);
 }

@@ -31,7 +31,7 @@ Features features(const TriangleMesh& mesh, int threads)
   directions.minimal = true;
   return {find_crest_lines(surface, curvature_field(result), {}, execution),
           trace_curvature_lines(surface, curvature_field(result), directions, execution),
-          find_ridges_and_valleys(surface, result, {})};
+          find_ridges_and_valleys(surface, result, {}, execution)};
 }
 
 TriangleMesh sample() { return with_tangential_jitter(with_normal_noise(ellipsoid(4, {2, 1.4, 0.8}), 0.002), 0.02); }

@@ -84,7 +84,7 @@ TEST(OutOfMemoryFeatures, LinesAreRefusedWithoutALoss)
               crest.minimum_sharpness = 0;
               find_crest_lines(surface, curvature_field(result), crest, execution);
               trace_curvature_lines(surface, curvature_field(result), {}, execution);
-              find_ridges_and_valleys(surface, result, {});
+              find_ridges_and_valleys(surface, result, {}, execution);
             }),
             fewest_refusals);
 }

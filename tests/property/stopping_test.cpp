@@ -109,6 +109,18 @@ TEST(Stopping, StatisticalRadiusAsksOftenEnough)
   watch.tick();
 }
 
+TEST(Stopping, AMillionVerticesAreAskedForOftenEnough)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "Takes too long under a sanitizer.";
+#endif
+  const TriangleMesh mesh = with_normal_noise(torus(2, 0.6, 1800, 560), 0.0005);
+  ASSERT_GT(mesh.positions.size(), 1000000u);
+  Watch watch;
+  compute_curvature(mesh, on_one_thread({}), watch.callback());
+  watch.tick();
+}
+
 TEST(Stopping, AdaptedRadiusAsksOftenEnough)
 {
   Parameters p = on_one_thread(published_method());

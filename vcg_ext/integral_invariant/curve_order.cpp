@@ -27,7 +27,8 @@ std::vector<CurvePlace> order_along(const HilbertCurve& curve, const std::vector
   parallel_step(parts.count(), 16, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t part = begin; part < end; ++part)
       // A mesh that was in this order before is so still, but for rounding.
-      if (!std::is_sorted(parts.begin(part), parts.end(part), less)) std::sort(parts.begin(part), parts.end(part), less);
+      if (!std::is_sorted(parts.begin(part), parts.end(part), less))
+        std::sort(parts.begin(part), parts.end(part), less);
   });
   return std::move(parts.items);
 }

@@ -28,12 +28,16 @@ struct Profile {
   std::vector<double> derivative;  ///< ∂κ/∂direction at the vertices
 };
 
-void differentiate(const Surface& surface, Profile& profile)
+void differentiate(const Surface& surface, Profile& profile, Execution& execution)
 {
   const std::size_t n = surface.vertex_count();
-  std::vector<Vec3> gradient(n);
-  std::vector<double> area(n, 0);
-  for (const Triangle& t : surface.triangles()) {
+  std::vector<Vec3> gradient;
+  std::vector<double> area;
+  resize_in_steps(gradient, n, execution);
+  resize_in_steps(area, n, execution);
+  resize_in_steps(profile.derivative, n, execution);
+  for_each_in_order(surface.triangles().size(), execution, [&](std::size_t i) {
+    const Triangle& t = surface.triangles()[i];
     const TriangleFrame frame(t, surface.positions());
     const Vec3 g =
         frame.gradient_of(profile.kappa[t[0]], profile.kappa[t[1]], profile.kappa[t[2]]) * frame.doubled_area;
@@ -41,13 +45,13 @@ void differentiate(const Surface& surface, Profile& profile)
       gradient[v] += g;
       area[v] += frame.doubled_area;
     }
-  }
-  profile.derivative.assign(n, 0);
-  for (std::size_t v = 0; v < n; ++v)
+  });
+  for_each_index(n, execution, [&](std::size_t v) {
     if (area[v] > 0) profile.derivative[v] = dot(gradient[v], (*profile.direction)[v]) / area[v];
+  });
 }
 
-Profile make_profile(const Surface& surface, const CurvatureField& field, FeatureKind kind)
+Profile make_profile(const Surface& surface, const CurvatureField& field, FeatureKind kind, Execution& execution)
 {
   const bool ridge = kind == FeatureKind::ridge;
   Profile profile{kind, field.kappa_max, field.kappa_min, ridge ? &field.dir_max : &field.dir_min, {}};
@@ -55,7 +59,8 @@ Profile make_profile(const Surface& surface, const CurvatureField& field, Featur
   if (!ridge)
     for (double& k : profile.kappa) k = -k;
   for (double& k : profile.rival) k = std::abs(k);
-  differentiate(surface, profile);
+  execution.check();
+  differentiate(surface, profile, execution);
   return profile;
 }
 
@@ -171,7 +176,8 @@ void add_lines(const Surface& surface, const Topology& topology, const Profile& 
                Execution& execution, double from, double to, std::vector<CrestLine>& lines)
 {
   const std::vector<Triangle>& triangles = surface.triangles();
-  std::vector<CrestSegment> segments(triangles.size());
+  std::vector<CrestSegment> segments;
+  resize_in_steps(segments, triangles.size(), execution);
   parallel_for(
       triangles.size(), 2048, execution,
       [&](std::size_t begin, std::size_t end, int) {
@@ -180,7 +186,7 @@ void add_lines(const Surface& surface, const Topology& topology, const Profile& 
       from, to);
   const SurfaceWalk walk(surface, topology);
   const double minimum_length = p.minimum_length > 0 ? p.minimum_length : 5 * surface.unit();
-  for (const CrestChain& chain : link_segments(topology, segments)) {
+  for (const CrestChain& chain : link_segments(topology, segments, execution)) {
     execution.report(to);
     CrestLine line = measured_line(surface, walk, profile, segments, chain);
     if (line.length >= minimum_length && line.strength >= p.minimum_strength && line.sharpness >= p.minimum_sharpness)
@@ -198,7 +204,7 @@ std::vector<CrestLine> find_crest_lines(const Surface& surface, const CurvatureF
                          std::to_string(limits::max_smoothing_passes) + ".");
   constexpr double smoothed_by = 0.3, adjacent_by = 0.4;  // fractions of the stage
   const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution, smoothed_by);
-  const Topology topology(surface);
+  const Topology topology(surface, execution);
   execution.report(adjacent_by);
   std::vector<CrestLine> lines;
   const std::pair<FeatureKind, bool> kinds[] = {{FeatureKind::ridge, p.ridges}, {FeatureKind::valley, p.valleys}};
@@ -206,7 +212,7 @@ std::vector<CrestLine> find_crest_lines(const Surface& surface, const CurvatureF
   for (const auto& [kind, is_wanted] : kinds) {
     const double to = from + (1 - adjacent_by) / 2;
     if (is_wanted) {
-      const Profile profile = make_profile(surface, smooth, kind);
+      const Profile profile = make_profile(surface, smooth, kind, execution);
       execution.report(from);
       add_lines(surface, topology, profile, p, execution, from, to, lines);
     }

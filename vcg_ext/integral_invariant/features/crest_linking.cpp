@@ -106,12 +106,14 @@ void cut(CrestChain curve, const std::vector<CrestSegment>& segments, std::vecto
 
 }  // namespace
 
-std::vector<CrestChain> link_segments(const Topology& topology, const std::vector<CrestSegment>& segments)
+std::vector<CrestChain> link_segments(const Topology& topology, const std::vector<CrestSegment>& segments,
+                                      Execution& execution)
 {
   Linker linker(topology, segments);
   std::vector<CrestChain> chains;
-  for (std::size_t t = 0; t < segments.size(); ++t)
+  for_each_in_order(segments.size(), execution, [&](std::size_t t) {
     if (segments[t].exists && !linker.is_used(t)) cut(linker.curve_through(std::int32_t(t)), segments, chains);
+  });
   return chains;
 }
 

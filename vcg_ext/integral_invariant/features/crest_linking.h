@@ -30,6 +30,7 @@ struct CrestChain {
 
 /// Joins the segments across shared edges, and cuts out the parts that are extrema. Up to three segments in a row that
 /// are none are kept between two that are: a line that runs along an edge of the mesh flickers.
-std::vector<CrestChain> link_segments(const Topology& topology, const std::vector<CrestSegment>& segments);
+std::vector<CrestChain> link_segments(const Topology& topology, const std::vector<CrestSegment>& segments,
+                                      Execution& execution);
 
 }  // namespace integral_invariant

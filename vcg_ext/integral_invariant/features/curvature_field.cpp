@@ -8,11 +8,13 @@ namespace integral_invariant {
 
 namespace {
 
-std::vector<Symmetric3> tensors_of(const CurvatureField& field)
+std::vector<Symmetric3> tensors_of(const CurvatureField& field, Execution& execution)
 {
-  std::vector<Symmetric3> tensors(field.size());
-  for (std::size_t v = 0; v < field.size(); ++v)
+  std::vector<Symmetric3> tensors;
+  resize_in_steps(tensors, field.size(), execution);
+  for_each_index(field.size(), execution, [&](std::size_t v) {
     tensors[v] = outer(field.dir_max[v]) * field.kappa_max[v] + outer(field.dir_min[v]) * field.kappa_min[v];
+  });
   return tensors;
 }
 
@@ -28,10 +30,13 @@ CurvatureField curvature_field(const Result& result)
 
 CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes, Execution& execution, double to)
 {
+  execution.check();
   const auto &start = surface.neighbour_start(), &neighbours = surface.neighbours();
   for (int pass = 0; pass < passes; ++pass) {
-    const std::vector<Symmetric3> tensors = tensors_of(field);
+    const std::vector<Symmetric3> tensors = tensors_of(field, execution);
+    execution.check();
     CurvatureField next = field;
+    execution.check();
     parallel_for(
         field.size(), 2048, execution,
         [&](std::size_t begin, std::size_t end, int) {

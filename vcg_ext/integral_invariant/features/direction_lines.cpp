@@ -44,33 +44,48 @@ void require_lengths(const DirectionParameters& p, double unit)
 }
 
 /// Lines may lie half a spacing apart, with a sample each quarter of it.
-void require_memory_for_lines(const Surface& surface, double spacing, std::size_t limit_mb)
+void require_memory_for_lines(const Surface& surface, double spacing, std::size_t limit_mb, Execution& execution)
 {
-  const std::vector<double> areas = vertex_areas(surface);
+  const std::vector<double> areas = vertex_areas(surface, execution);
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double samples = 8 * area / (spacing * spacing);
   require_memory(samples * sizeof(LineSample), limit_mb, "Lines of curvature this close", "Raise spacing");
 }
 
-std::vector<double> anisotropies(const CurvatureField& field)
+std::vector<double> anisotropies(const CurvatureField& field, Execution& execution)
 {
   const double typical = typical_curvature(field);
+  execution.check();
   std::vector<double> values(field.size());
-  for (std::size_t v = 0; v < values.size(); ++v)
-    values[v] = anisotropy(field.kappa_max[v], field.kappa_min[v], typical);
+  for_each_index(values.size(), execution,
+                 [&](std::size_t v) { values[v] = anisotropy(field.kappa_max[v], field.kappa_min[v], typical); });
   return values;
 }
 
 /// Triangles by falling anisotropy of their centre.
-std::vector<std::uint32_t> clearest_first(const std::vector<Triangle>& triangles, const std::vector<double>& clarity)
+std::vector<std::uint32_t> clearest_first(const std::vector<Triangle>& triangles, const std::vector<double>& clarity,
+                                          Execution& execution)
 {
-  std::vector<double> sum(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  std::vector<double> sum;
+  resize_in_steps(sum, triangles.size(), execution);
+  double largest = 0;
+  for_each_in_order(triangles.size(), execution, [&](std::size_t t) {
     sum[t] = clarity[triangles[t][0]] + clarity[triangles[t][1]] + clarity[triangles[t][2]];
-  std::vector<std::uint32_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return sum[a] > sum[b]; });
-  return order;
+    largest = std::max(largest, sum[t]);
+  });
+  // Coarsely first, so that workers can sort, and none for long.
+  constexpr std::size_t ranks = 4096;
+  const double ranks_per_unit = largest > 0 ? double(ranks - 1) / largest : 0;
+  Buckets<std::uint32_t> order =
+      in_buckets<std::uint32_t>(triangles.size(), ranks, execution, [&](std::size_t t, const auto& put) {
+        put(std::size_t((largest - std::max(sum[t], 0.0)) * ranks_per_unit), std::uint32_t(t));
+      });
+  parallel_step(ranks, 16, execution, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t rank = begin; rank < end; ++rank)
+      std::stable_sort(order.begin(rank), order.end(rank),
+                       [&](std::uint32_t a, std::uint32_t b) { return sum[a] > sum[b]; });
+  });
+  return std::move(order.items);
 }
 
 void trace_family(LineTracer& tracer, const std::vector<std::uint32_t>& order, Execution& execution, double from,
@@ -114,22 +129,22 @@ double typical_curvature(const CurvatureField& field)
 }
 
 std::vector<DirectionSegment> direction_segments(const Surface& surface, const CurvatureField& field,
-                                                 const DirectionParameters& p)
+                                                 const DirectionParameters& p, Execution& execution)
 {
   require_lengths(p, surface.unit());
   const double spacing = spacing_of(p, surface.unit());
   const double length = p.segment_length > 0 ? p.segment_length : automatic_segment * spacing * surface.unit();
-  const std::vector<double> clarity = anisotropies(field);
+  const std::vector<double> clarity = anisotropies(field, execution);
   PointGrid taken(spacing);
   std::vector<DirectionSegment> segments;
-  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
-    if (!surface.is_referenced(v) || clarity[v] < p.umbilic) continue;
+  for_each_in_order(surface.vertex_count(), execution, [&](std::size_t v) {
+    if (!surface.is_referenced(v) || clarity[v] < p.umbilic) return;
     const Vec3 &place = surface.positions()[v], &normal = field.normal[v];
-    if (taken.any_near(place, normal, spacing, [](const LineSample&) { return true; })) continue;
+    if (taken.any_near(place, normal, spacing, [](const LineSample&) { return true; })) return;
     taken.add({place, normal, 0, 0});
     if (p.maximal) segments.push_back({DirectionFamily::maximal, std::int32_t(v), field.dir_max[v] * (length / 2)});
     if (p.minimal) segments.push_back({DirectionFamily::minimal, std::int32_t(v), field.dir_min[v] * (length / 2)});
-  }
+  });
   return segments;
 }
 
@@ -137,13 +152,13 @@ std::vector<CurvatureLine> trace_curvature_lines(const Surface& surface, const C
                                                  const DirectionParameters& p, Execution& execution)
 {
   require_lengths(p, surface.unit());
-  require_memory_for_lines(surface, spacing_of(p, surface.unit()), p.memory_limit_mb);
+  require_memory_for_lines(surface, spacing_of(p, surface.unit()), p.memory_limit_mb, execution);
   constexpr double smoothed_by = 0.2, traced_from = 0.4;  // fractions of the stage
   const CurvatureField smooth = smoothed(surface, field, p.smoothing_passes, execution, smoothed_by);
-  const Topology topology(surface);
+  const Topology topology(surface, execution);
   execution.report(traced_from);
-  const std::vector<double> clarity = anisotropies(smooth);
-  const std::vector<std::uint32_t> order = clearest_first(surface.triangles(), clarity);
+  const std::vector<double> clarity = anisotropies(smooth, execution);
+  const std::vector<std::uint32_t> order = clearest_first(surface.triangles(), clarity, execution);
   const double spacing = spacing_of(p, surface.unit());
   const double minimum = p.minimum_length > 0 ? p.minimum_length / surface.unit() : automatic_minimum * spacing;
   std::vector<CurvatureLine> lines;

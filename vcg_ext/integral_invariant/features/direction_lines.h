@@ -41,9 +41,9 @@ struct CurvatureLine {
 };
 
 /// Segments at vertices that are at least the spacing apart, first come first served. Cost: O(n).
-/// \throw ParameterError where a length is out of its range
+/// \throw Cancelled, or ParameterError where a length is out of its range
 std::vector<DirectionSegment> direction_segments(const Surface& surface, const CurvatureField& field,
-                                                 const DirectionParameters& parameters);
+                                                 const DirectionParameters& parameters, Execution& execution);
 
 /// Evenly spaced lines of curvature: a line starts at the spacing from those before it, and ends where it comes nearer
 /// than half of that to another of its family, at an umbilic, at a boundary, or where it returns to its start. The next

@@ -35,14 +35,17 @@ void require(bool holds, const char* sentence)
   if (!holds) throw ParameterError(sentence);
 }
 
-/// The value that `percent` of `sorted` do not exceed.
-double at_percent(const std::vector<double>& sorted, double percent)
+/// The value that `percent` of them do not exceed; puts them in another order.
+double at_percent(std::vector<double>& values, double percent)
 {
-  const double position = percent / 100 * double(sorted.size() - 1);
-  return sorted[std::min(std::size_t(std::ceil(position)), sorted.size() - 1)];
+  const double position = percent / 100 * double(values.size() - 1);
+  const auto there = values.begin() + std::ptrdiff_t(std::min(std::size_t(std::ceil(position)), values.size() - 1));
+  std::nth_element(values.begin(), there, values.end());
+  return *there;
 }
 
-Thresholds thresholds(const Surface& surface, const Result& result, const RidgeValleyParameters& p)
+Thresholds thresholds(const Surface& surface, const Result& result, const RidgeValleyParameters& p,
+                      Execution& execution)
 {
   if (p.threshold == FeatureThreshold::curvature) {
     require(p.high_curvature > 0,
@@ -57,10 +60,10 @@ Thresholds thresholds(const Surface& surface, const Result& result, const RidgeV
   require(p.low_percentile <= p.high_percentile,
           "The low threshold must not exceed the high one: lower low_percentile or raise high_percentile.");
   std::vector<double> largest;
-  for (std::size_t v = 0; v < result.kappa_max.size(); ++v)
+  for_each_in_order(result.kappa_max.size(), execution, [&](std::size_t v) {
     if (surface.is_referenced(v))
       largest.push_back(std::max(std::abs(result.kappa_max[v]), std::abs(result.kappa_min[v])));
-  std::sort(largest.begin(), largest.end());
+  });
   return {at_percent(largest, p.high_percentile), at_percent(largest, p.low_percentile)};
 }
 
@@ -85,15 +88,17 @@ std::vector<std::uint32_t> flood(const Surface& surface, const std::vector<Candi
 
 }  // namespace
 
-RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result& result, const RidgeValleyParameters& p)
+RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result& result, const RidgeValleyParameters& p,
+                                           Execution& execution)
 {
   const std::size_t n = surface.vertex_count();
-  const auto [high, low] = thresholds(surface, result, p);
-  const std::vector<double> areas = vertex_areas(surface);
+  const auto [high, low] = thresholds(surface, result, p, execution);
+  const std::vector<double> areas = vertex_areas(surface, execution);
   const double unit_area = surface.unit() * surface.unit();
   std::vector<Candidate> candidates(n);
-  for (std::size_t v = 0; v < n; ++v)
+  for_each_index(n, execution, [&](std::size_t v) {
     if (surface.is_referenced(v)) candidates[v] = candidate(result.kappa_max[v], result.kappa_min[v], p);
+  });
 
   RidgeValleyRegions found;
   found.kind.assign(n, FeatureKind::none);
@@ -101,10 +106,11 @@ RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result&
   found.high = high;
   found.low = low;
   constexpr std::int32_t dropped = -2;
-  for (std::uint32_t seed = 0; seed < n; ++seed) {
+  for_each_in_order(n, execution, [&](std::size_t seed) {
     if (found.region[seed] != -1 || candidates[seed].kind == FeatureKind::none || candidates[seed].strength < high)
-      continue;
-    const auto members = flood(surface, candidates, low, seed, std::int32_t(found.regions.size()), found.region);
+      return;
+    const auto members =
+        flood(surface, candidates, low, std::uint32_t(seed), std::int32_t(found.regions.size()), found.region);
     FeatureRegion region{candidates[seed].kind, members.size()};
     for (const std::uint32_t v : members) {
       region.area += areas[v] * unit_area;
@@ -118,7 +124,7 @@ RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result&
         found.region[v] = dropped;
     }
     if (keep) found.regions.push_back(region);
-  }
+  });
   std::replace(found.region.begin(), found.region.end(), dropped, -1);
   return found;
 }

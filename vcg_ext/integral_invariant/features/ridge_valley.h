@@ -46,8 +46,8 @@ struct RidgeValleyRegions {
 /// Ridges: κ_max ≥ t; valleys: κ_min ≤ −t; a vertex that is both takes the kind of the larger |κ|. With hysteresis: a
 /// region holds the vertices above `low` that are connected through mesh edges, inside the region, to one above `high`.
 /// `result` belongs to the mesh that `surface` was made from. Cost: O(n).
-/// \throw ParameterError where a threshold is out of its range, or the low one is over the high one
+/// \throw Cancelled, or ParameterError where a threshold is out of its range, or the low one is over the high one
 RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result& result,
-                                           const RidgeValleyParameters& parameters);
+                                           const RidgeValleyParameters& parameters, Execution& execution);
 
 }  // namespace integral_invariant

@@ -32,13 +32,17 @@ float storable(double value)
   return float(std::clamp(value, -largest, largest));
 }
 
-void allocate(Signature& signature, std::size_t vertices, std::size_t scales, std::size_t limit_mb)
+void allocate(Signature& signature, std::size_t vertices, std::size_t scales, std::size_t limit_mb,
+              Execution& execution)
 {
   const double bytes = double(vertices) * double(scales) * signature_quantity_count * sizeof(float);
   require_memory(bytes, limit_mb,
                  "The signature of " + std::to_string(vertices) + " vertices at " + std::to_string(scales) + " scales",
                  "Reduce scales or the number of vertices");
-  for (auto& quantity : signature.values) quantity.assign(scales, std::vector<float>(vertices, 0.0F));
+  for (auto& quantity : signature.values) {
+    quantity.resize(scales);
+    for (std::vector<float>& of_scale : quantity) resize_in_steps(of_scale, vertices, execution);
+  }
 }
 
 }  // namespace
@@ -57,7 +61,7 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   canonical.mesh = {};  // the surface has its own
   const std::vector<double> radii = scale_radii(ladder, surface.unit());
   Signature signature;
-  allocate(signature, surface.vertex_count(), radii.size(), parameters.memory_limit_mb);
+  allocate(signature, surface.vertex_count(), radii.size(), parameters.memory_limit_mb, execution);
 
   execution.begin_stage("ball moments", 100);
   const auto engine = make_moment_engine(surface, parameters, execution);
@@ -72,13 +76,13 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
         signature.values[2][scale][v] = storable((k.kappa_max - k.kappa_min) / unit);
       },
       execution);
+  signature.engine = engine->description(radii, execution);
   execution.finish();
 
   for (const double r : radii) signature.radii.push_back(r * unit);
   signature.surface = surface.report();
   signature.average_edge = unit;
   signature.diagonal = surface.diagonal() * unit;
-  signature.engine = engine->description(radii, execution);
   signature.stages = execution.stage_times();
   return signature;
 }

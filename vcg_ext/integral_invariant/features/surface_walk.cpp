@@ -98,8 +98,9 @@ WalkState SurfaceWalk::from_vertex(std::int32_t vertex, const Vec3& direction) c
 {
   WalkState best;
   double best_score = -0.2;  // further outside than that, the direction leads over a boundary
-  for (std::uint32_t i = topology_.around_start[vertex]; i < topology_.around_start[vertex + 1]; ++i) {
-    const std::int32_t triangle = std::int32_t(topology_.around[i]);
+  const Buckets<std::uint32_t>& around = topology_.around;
+  for (auto it = around.begin(std::size_t(vertex)); it != around.end(std::size_t(vertex)); ++it) {
+    const std::int32_t triangle = std::int32_t(*it);
     const Triangle& t = surface_.triangles()[triangle];
     const TriangleFrame plane = frame(triangle);
     const int corner = int(std::find(t.begin(), t.end(), vertex) - t.begin());

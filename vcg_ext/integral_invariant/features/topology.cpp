@@ -3,7 +3,6 @@
 #include "integral_invariant/features/topology.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace integral_invariant {
 
@@ -11,57 +10,43 @@ namespace {
 
 struct Side {
   std::int32_t low, high, triangle, side;
-
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
-
-/// By their ends, and those of an edge by triangle: bucketed by the lower end, where only few are left to sort.
-std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles, std::size_t vertices)
-{
-  std::vector<std::size_t> next(vertices + 1, 0);
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) ++next[std::size_t(std::min(t[i], t[(i + 1) % 3])) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<Side> sides(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::int32_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-      sides[next[std::size_t(low)]++] = {low, high, std::int32_t(t), i};
-    }
-  std::size_t begin = 0;
-  for (std::size_t v = 0; v < vertices; begin = next[v++])
-    std::sort(sides.begin() + std::ptrdiff_t(begin), sides.begin() + std::ptrdiff_t(next[v]),
-              [](const Side& a, const Side& b) {
-                return std::array{a.high, a.triangle, a.side} < std::array{b.high, b.triangle, b.side};
-              });
-  return sides;
-}
 
 }  // namespace
 
-Topology::Topology(const Surface& surface)
+Topology::Topology(const Surface& surface, Execution& execution)
 {
   const std::vector<Triangle>& triangles = surface.triangles();
-  edge.resize(triangles.size());
+  resize_in_steps(edge, triangles.size(), execution);
   across.assign(triangles.size(), {-1, -1, -1});
-  const std::vector<Side> sides = sorted_sides(triangles, surface.vertex_count());
-  for (std::size_t begin = 0, end; begin < sides.size(); begin = end, ++edge_count) {
-    for (end = begin; end < sides.size() && sides[end].same_edge(sides[begin]); ++end)
-      edge[sides[end].triangle][sides[end].side] = std::int32_t(edge_count);
-    if (end - begin != 2) continue;
-    const Side &a = sides[begin], &b = sides[begin + 1];
-    across[a.triangle][a.side] = b.triangle;
-    across[b.triangle][b.side] = a.triangle;
-  }
+  // By the lower end, where only few are left to sort.
+  Buckets<Side> sides =
+      in_buckets<Side>(triangles.size(), surface.vertex_count(), execution, [&](std::size_t t, const auto& put) {
+        for (std::int32_t i = 0; i < 3; ++i) {
+          const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+          put(std::size_t(low), Side{low, high, std::int32_t(t), i});
+        }
+      });
+  for_each_index(sides.count(), execution, [&](std::size_t v) {
+    std::sort(sides.begin(v), sides.end(v), [](const Side& a, const Side& b) {
+      return std::array{a.high, a.triangle, a.side} < std::array{b.high, b.triangle, b.side};
+    });
+  });
+  for_each_in_order(sides.count(), execution, [&](std::size_t v) {
+    for (const Side *side = sides.begin(v), *last = sides.end(v), *end; side != last; side = end, ++edge_count) {
+      for (end = side; end != last && end->high == side->high; ++end)
+        edge[end->triangle][end->side] = std::int32_t(edge_count);
+      if (end - side != 2) continue;
+      const Side &a = side[0], &b = side[1];
+      across[a.triangle][a.side] = b.triangle;
+      across[b.triangle][b.side] = a.triangle;
+    }
+  });
 
-  around_start.assign(surface.vertex_count() + 1, 0);
-  for (const Triangle& t : triangles)
-    for (const std::int32_t v : t) ++around_start[v + 1];
-  for (std::size_t v = 0; v < surface.vertex_count(); ++v) around_start[v + 1] += around_start[v];
-  around.resize(3 * triangles.size());
-  std::vector<std::uint32_t> next(around_start.begin(), around_start.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (const std::int32_t v : triangles[t]) around[next[v]++] = std::uint32_t(t);
+  around = in_buckets<std::uint32_t>(triangles.size(), surface.vertex_count(), execution,
+                                     [&](std::size_t t, const auto& put) {
+                                       for (const std::int32_t v : triangles[t]) put(std::size_t(v), std::uint32_t(t));
+                                     });
 }
 
 TriangleFrame::TriangleFrame(const Triangle& t, const std::vector<Vec3>& positions)
@@ -75,11 +60,15 @@ TriangleFrame::TriangleFrame(const Triangle& t, const std::vector<Vec3>& positio
     gradient[i] = cross(area, positions[t[(i + 2) % 3]] - positions[t[(i + 1) % 3]]) * (1 / squared);
 }
 
-std::vector<double> vertex_areas(const Surface& surface)
+std::vector<double> vertex_areas(const Surface& surface, Execution& execution)
 {
+  const std::vector<Vec3>& p = surface.positions();
   std::vector<double> areas(surface.vertex_count(), 0);
-  for (const Triangle& t : surface.triangles())
-    for (const std::int32_t v : t) areas[v] += TriangleFrame(t, surface.positions()).doubled_area / 6;
+  for_each_in_order(surface.triangles().size(), execution, [&](std::size_t i) {
+    const Triangle& t = surface.triangles()[i];
+    const double share = norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 6;
+    for (const std::int32_t v : t) areas[v] += share;
+  });
   return areas;
 }
 

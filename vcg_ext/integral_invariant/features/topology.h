@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "integral_invariant/support/buckets.h"
 #include "integral_invariant/surface.h"
 
 namespace integral_invariant {
@@ -13,15 +14,15 @@ namespace integral_invariant {
 /// Adjacency of the triangles of a surface. Side i of a triangle runs from its vertex i to the next; vertex i + 2 faces
 /// it.
 struct Topology {
-  explicit Topology(const Surface& surface);
+  /// Cost O(m log valence). \throw Cancelled
+  Topology(const Surface& surface, Execution& execution);
 
   std::vector<std::array<std::int32_t, 3>> edge;  ///< index of each side's edge, below edge_count
   std::vector<std::array<std::int32_t, 3>>
       across;  ///< triangle on the other side; -1 at a boundary or where three meet
   std::size_t edge_count = 0;
 
-  /// Triangles of vertex v: around[around_start[v]] up to around[around_start[v + 1]].
-  std::vector<std::uint32_t> around_start, around;
+  Buckets<std::uint32_t> around;  ///< triangles of each vertex, increasing
 };
 
 /// A triangle's doubled area and the gradients of its three barycentric weights; zeros where it has no area.
@@ -39,6 +40,6 @@ struct TriangleFrame {
 };
 
 /// A third of the area of its triangles for each vertex, in normalised units.
-std::vector<double> vertex_areas(const Surface& surface);
+std::vector<double> vertex_areas(const Surface& surface, Execution& execution);
 
 }  // namespace integral_invariant

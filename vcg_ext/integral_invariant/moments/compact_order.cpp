@@ -56,12 +56,13 @@ void split(const Part& part, std::size_t run)
 
 void order_compactly(std::vector<PlacedItem>& items, std::size_t run, Execution& execution)
 {
-  constexpr std::size_t parts_per_worker = 8, least_part = 4096;
-  std::size_t left = run;
-  while (left < items.size()) left *= 2;
-  std::vector<Part> parts{{items.data(), items.data() + items.size(), left}};
-  while (parts.size() < parts_per_worker * std::size_t(execution.threads()) &&
-         parts.size() * least_part < items.size()) {
+  // A few milliseconds' work each, and what a worker orders alone: nobody who wants to stop waits for more.
+  const std::size_t stretch = run * longest_stretch;
+  constexpr std::size_t largest_share = 65536;
+  std::vector<Part> parts;
+  for (std::size_t begin = 0; begin < items.size(); begin += stretch)
+    parts.push_back({items.data() + begin, items.data() + std::min(begin + stretch, items.size()), stretch});
+  for (std::size_t share = std::min(stretch, items.size()); share > largest_share; share = (share + 1) / 2) {
     std::vector<Part> shares(2 * parts.size());
     parallel_step(parts.size(), 1, execution, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t i = begin; i < end; ++i) {

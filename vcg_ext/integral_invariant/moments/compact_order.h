@@ -17,9 +17,12 @@ struct PlacedItem {
   std::uint32_t index;
 };
 
-/// Orders the items so that every run of run·2^j of them that begins at a multiple of its length lies in a box of its
-/// own: halves of halves along the longest side. Unlike along a space-filling curve, no run has outliers.
-/// Cost O(n log n), on all workers.
+/// The longest stretch of items that are ordered among each other, in runs: beyond it they stay as they come.
+constexpr std::size_t longest_stretch = std::size_t(1) << 17;
+
+/// Orders the items, which come so that those of a stretch are near each other, so that every run of run·2^j of them
+/// that begins at a multiple of its length lies in a box of its own: halves of halves along the longest side. Unlike
+/// along a space-filling curve, no run has outliers. Cost O(n), on all workers. \throw Cancelled
 void order_compactly(std::vector<PlacedItem>& items, std::size_t run, Execution& execution);
 
 }  // namespace integral_invariant

@@ -38,7 +38,7 @@ class MomentEngine {
   virtual void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const = 0;
 
   /// One line for the log: what is used to evaluate these radii, such as grid, tiles and number of transforms.
-  virtual std::string description(const std::vector<double>& radii, const Execution& execution) const = 0;
+  virtual std::string description(const std::vector<double>& radii, Execution& execution) const = 0;
 };
 
 /// The engine that `parameters` ask for, prepared for `surface`, which must outlive it.

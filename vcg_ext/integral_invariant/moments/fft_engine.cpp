@@ -46,7 +46,7 @@ double least_bytes(const TileLayout& layout)
 /// Everything about one radius that its tiles share.
 class ScalePass {
  public:
-  ScalePass(const Surface& surface, const TileLayout& layout, int scale, const MomentSink& sink)
+  ScalePass(const Surface& surface, const TileLayout& layout, int scale, const MomentSink& sink, Execution& execution)
       : surface_(surface),
         layout_(layout),
         fine_grid_{layout.grid.origin, layout.grid.step / 2},
@@ -54,8 +54,8 @@ class ScalePass {
         sink_(sink),
         transform_(layout.shape.size),
         kernel_(layout.shape.size, layout.radius_cells),
-        triangles_(tile_triangles(surface, layout)),
-        stack_triangles_(stack_triangles(surface, layout)),
+        triangles_(tile_triangles(surface, layout, execution)),
+        stack_triangles_(stack_triangles(surface, layout, execution)),
         rows_(std::size_t(layout.shape.size[1])),
         row_stride_(FftBuffer::row_stride(layout.shape.size))
   {
@@ -259,7 +259,7 @@ class FftEngine : public MomentEngine {
 
   void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
   {
-    const std::vector<TileLayout> layouts = make_layouts(radii, [&] { execution.report(0); });
+    const std::vector<TileLayout> layouts = make_layouts(radii, execution);
     double total = 0, done = 0;
     for (const TileLayout& layout : layouts) {
       total += layout.shape.cost;
@@ -269,33 +269,29 @@ class FftEngine : public MomentEngine {
     }
     for (std::size_t scale = 0; scale < layouts.size(); ++scale) {
       const double next = done + layouts[scale].shape.cost;
-      ScalePass pass(surface_, layouts[scale], int(scale), sink);
       execution.report(done / total);
+      ScalePass pass(surface_, layouts[scale], int(scale), sink, execution);
       pass.run(execution, memory_, done / total, next / total);
       done = next;
     }
   }
 
-  std::string description(const std::vector<double>& radii, const Execution&) const override
+  std::string description(const std::vector<double>& radii, Execution& execution) const override
   {
     std::ostringstream text;
     text << "voxel FFT, " << cells_per_radius_ << " cells per radius; transforms per scale:";
-    for (const TileLayout& layout : make_layouts(radii, [] {}))
+    for (const TileLayout& layout : make_layouts(radii, execution))
       text << ' ' << layout.tiles.size() << " x " << moment_count + 1 << " of " << layout.shape.size[0] << 'x'
            << layout.shape.size[1] << 'x' << layout.shape.size[2] << ';';
     return text.str();
   }
 
  private:
-  /// Calls `after_each` between the layouts, each of which passes over the whole mesh several times.
-  template <class AfterEach>
-  std::vector<TileLayout> make_layouts(const std::vector<double>& radii, const AfterEach& after_each) const
+  std::vector<TileLayout> make_layouts(const std::vector<double>& radii, Execution& execution) const
   {
     std::vector<TileLayout> layouts;
-    for (const double radius : radii) {
-      layouts.push_back(make_tile_layout(surface_, radius, cells_per_radius_, memory_ / 2));
-      after_each();
-    }
+    for (const double radius : radii)
+      layouts.push_back(make_tile_layout(surface_, radius, cells_per_radius_, memory_ / 2, execution));
     return layouts;
   }
 

@@ -49,7 +49,7 @@ class SurfaceEngine : public MomentEngine {
     });
   }
 
-  std::string description(const std::vector<double>&, const Execution&) const override
+  std::string description(const std::vector<double>&, Execution&) const override
   {
     return "surface integral over " + std::to_string(tree_.order().triangles.size()) + " triangles, " +
            std::to_string(tree_.order().free_edges.size()) + " free edges";

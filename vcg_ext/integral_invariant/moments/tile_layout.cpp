@@ -90,45 +90,39 @@ TileIndex tile_of(const Vec3& position, const VoxelGrid& grid, const TileShape& 
 }
 
 std::vector<TileIndex> occupied_tiles(const Surface& surface, const VoxelGrid& grid, const TileShape& shape,
-                                      std::size_t stride)
+                                      std::size_t stride, Execution& execution)
 {
   std::vector<TileIndex> tiles;
-  for (std::size_t v = 0; v < surface.vertex_count(); v += stride) {
-    if (!surface.is_referenced(v)) continue;
+  for_each_in_order((surface.vertex_count() + stride - 1) / stride, execution, [&](std::size_t i) {
+    const std::size_t v = i * stride;
+    if (!surface.is_referenced(v)) return;
     const TileIndex index = tile_of(surface.positions()[v], grid, shape);
     if (tiles.empty() || index != tiles.back()) tiles.push_back(index);
-  }
+  });
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   return tiles;
 }
 
 /// Number of occupied tiles, from a sample of the vertices where tiles are large enough for that.
-std::size_t estimated_tiles(const Surface& surface, const VoxelGrid& grid, const TileShape& shape)
+std::size_t estimated_tiles(const Surface& surface, const VoxelGrid& grid, const TileShape& shape, Execution& execution)
 {
   const std::size_t stride = std::max<std::size_t>(1, surface.vertex_count() / sampled_vertices);
-  const std::size_t found = occupied_tiles(surface, grid, shape, stride).size();
+  const std::size_t found = occupied_tiles(surface, grid, shape, stride, execution).size();
   if (stride == 1 || found * samples_per_tile < surface.vertex_count() / stride) return found;
-  return occupied_tiles(surface, grid, shape, 1).size();
+  return occupied_tiles(surface, grid, shape, 1, execution).size();
 }
 
-struct Bounds {
-  Vec3 low, high;
-};
-
-Bounds bounds_of(const Surface& surface)
+Box bounds_of(const Surface& surface, Execution& execution)
 {
-  Bounds bounds{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
-  for (const Triangle& triangle : surface.triangles())
-    for (const std::int32_t vertex : triangle) {
-      const Vec3& p = surface.positions()[std::size_t(vertex)];
-      bounds.low = {std::min(bounds.low.x, p.x), std::min(bounds.low.y, p.y), std::min(bounds.low.z, p.z)};
-      bounds.high = {std::max(bounds.high.x, p.x), std::max(bounds.high.y, p.y), std::max(bounds.high.z, p.z)};
-    }
+  Box bounds;
+  for_each_in_order(surface.vertex_count(), execution, [&](std::size_t v) {
+    if (surface.is_referenced(v)) bounds.add(surface.positions()[v]);
+  });
   return bounds;
 }
 
-Extent extent_in_cells(const Bounds& bounds, const VoxelGrid& grid)
+Extent extent_in_cells(const Box& bounds, const VoxelGrid& grid)
 {
   const Vec3 cells = grid.to_cells(bounds.high);
   Extent extent;
@@ -143,7 +137,7 @@ Extent extent_in_cells(const Bounds& bounds, const VoxelGrid& grid)
 }
 
 TileShape cheapest_shape(const Surface& surface, const VoxelGrid& grid, const Extent& extent, int halo,
-                         std::size_t limit)
+                         std::size_t limit, Execution& execution)
 {
   std::size_t least = ~std::size_t(0);
   TileShape best;
@@ -152,7 +146,7 @@ TileShape cheapest_shape(const Surface& surface, const VoxelGrid& grid, const Ex
     if (shape.size[0] == 0) continue;
     least = std::min(least, worker_bytes(shape));
     if (worker_bytes(shape) > limit) continue;
-    shape.cost = double(estimated_tiles(surface, grid, shape)) * transform_cost(shape.size);
+    shape.cost = double(estimated_tiles(surface, grid, shape, execution)) * transform_cost(shape.size);
     if (best.cost == 0 || shape.cost < best.cost) best = shape;
   }
   if (best.cost == 0)
@@ -204,38 +198,41 @@ void for_each_row(const Surface& surface, const TileLayout& layout, const std::v
 }
 
 IndexLists list_triangles(const Surface& surface, const TileLayout& layout, const std::vector<TileIndex>& rows,
-                          std::size_t axes)
+                          std::size_t axes, Execution& execution)
 {
   IndexLists lists;
   lists.start.assign(rows.size() + 1, 0);
   const std::vector<Triangle>& triangles = surface.triangles();
-  for (const Triangle& triangle : triangles)
-    for_each_row(surface, layout, rows, axes, triangle, [&](std::size_t row) { ++lists.start[row + 1]; });
+  for_each_in_order(triangles.size(), execution, [&](std::size_t t) {
+    for_each_row(surface, layout, rows, axes, triangles[t], [&](std::size_t row) { ++lists.start[row + 1]; });
+  });
   for (std::size_t row = 0; row < rows.size(); ++row) lists.start[row + 1] += lists.start[row];
-  lists.indices.resize(lists.start.back());
+  resize_in_steps(lists.indices, lists.start.back(), execution);
   std::vector<std::size_t> next(lists.start.begin(), lists.start.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  for_each_in_order(triangles.size(), execution, [&](std::size_t t) {
     for_each_row(surface, layout, rows, axes, triangles[t],
                  [&](std::size_t row) { lists.indices[next[row]++] = std::uint32_t(t); });
+  });
   return lists;
 }
 
-IndexLists list_vertices(const Surface& surface, const TileLayout& layout)
+IndexLists list_vertices(const Surface& surface, const TileLayout& layout, Execution& execution)
 {
   std::vector<std::uint32_t> tile(surface.vertex_count());
   IndexLists lists;
   lists.start.assign(layout.tiles.size() + 1, 0);
-  for (std::size_t v = 0; v < tile.size(); ++v) {
-    if (!surface.is_referenced(v)) continue;
+  for_each_in_order(tile.size(), execution, [&](std::size_t v) {
+    if (!surface.is_referenced(v)) return;
     const TileIndex index = tile_of(surface.positions()[v], layout.grid, layout.shape);
     tile[v] = std::uint32_t(std::lower_bound(layout.tiles.begin(), layout.tiles.end(), index) - layout.tiles.begin());
     ++lists.start[tile[v] + 1];
-  }
+  });
   for (std::size_t t = 0; t < layout.tiles.size(); ++t) lists.start[t + 1] += lists.start[t];
   lists.indices.resize(lists.start.back());
   std::vector<std::size_t> next(lists.start.begin(), lists.start.end() - 1);
-  for (std::size_t v = 0; v < tile.size(); ++v)
+  for_each_in_order(tile.size(), execution, [&](std::size_t v) {
     if (surface.is_referenced(v)) lists.indices[next[tile[v]]++] = std::uint32_t(v);
+  });
   return lists;
 }
 
@@ -251,7 +248,8 @@ CellBox TileLayout::box(std::size_t tile) const
   return box;
 }
 
-TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit)
+TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit,
+                            Execution& execution)
 {
   // Cells grow with the inverse square of the radius, and under it a ball sees a single triangle.
   constexpr double smallest_radius = 0.1;
@@ -260,34 +258,34 @@ TileLayout make_tile_layout(const Surface& surface, double radius, double cells_
         "The smallest radius is under a tenth of the average edge length, which the voxel engine's grid cannot "
         "resolve at a bearable cost. Raise r_min (or radius), or use the surface integral engine.");
   TileLayout layout;
-  const Bounds bounds = bounds_of(surface);
+  const Box bounds = bounds_of(surface, execution);
   layout.grid = {bounds.low, radius / cells_per_radius};
   layout.radius_cells = cells_per_radius;
   const Extent extent = extent_in_cells(bounds, layout.grid);
   const int halo = int(std::ceil(cells_per_radius)) + kernel_margin;
-  layout.shape = cheapest_shape(surface, layout.grid, extent, halo, limit);
-  layout.tiles = occupied_tiles(surface, layout.grid, layout.shape, 1);
+  layout.shape = cheapest_shape(surface, layout.grid, extent, halo, limit, execution);
+  layout.tiles = occupied_tiles(surface, layout.grid, layout.shape, 1, execution);
   for (std::size_t t = 0; t < layout.tiles.size(); ++t)
     if (t == 0 || layout.tiles[t][0] != layout.tiles[t - 1][0] || layout.tiles[t][1] != layout.tiles[t - 1][1])
       layout.stack_start.push_back(t);
   layout.stack_start.push_back(layout.tiles.size());
-  layout.tile_vertices = list_vertices(surface, layout);
+  layout.tile_vertices = list_vertices(surface, layout, execution);
   return layout;
 }
 
-IndexLists tile_triangles(const Surface& surface, const TileLayout& layout)
+IndexLists tile_triangles(const Surface& surface, const TileLayout& layout, Execution& execution)
 {
-  return list_triangles(surface, layout, layout.tiles, 3);
+  return list_triangles(surface, layout, layout.tiles, 3, execution);
 }
 
-IndexLists stack_triangles(const Surface& surface, const TileLayout& layout)
+IndexLists stack_triangles(const Surface& surface, const TileLayout& layout, Execution& execution)
 {
   std::vector<TileIndex> stacks;
   for (std::size_t s = 0; s < layout.stack_count(); ++s) {
     const TileIndex& tile = layout.tiles[layout.stack_start[s]];
     stacks.push_back({tile[0], tile[1], 0});
   }
-  return list_triangles(surface, layout, stacks, 2);
+  return list_triangles(surface, layout, stacks, 2, execution);
 }
 
 }  // namespace integral_invariant

@@ -51,11 +51,13 @@ struct TileLayout {
 std::size_t worker_bytes(const TileShape& shape);
 
 /// The cheapest tiles whose worker_bytes() do not exceed `limit`. `cells_per_radius` is radius over grid step.
-/// \throw MemoryError where the smallest exceed it, or where the grid has more than 2^30 cells along an axis
-TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit);
+/// \throw Cancelled, or MemoryError where the smallest exceed it, or where the grid has more than 2^30 cells along an
+/// axis
+TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit,
+                            Execution& execution);
 
 /// Triangles that touch each tile's box, and those that touch each stack's columns.
-IndexLists tile_triangles(const Surface& surface, const TileLayout& layout);
-IndexLists stack_triangles(const Surface& surface, const TileLayout& layout);
+IndexLists tile_triangles(const Surface& surface, const TileLayout& layout, Execution& execution);
+IndexLists stack_triangles(const Surface& surface, const TileLayout& layout, Execution& execution);
 
 }  // namespace integral_invariant

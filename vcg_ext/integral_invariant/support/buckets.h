@@ -18,6 +18,8 @@ struct Buckets {
   std::vector<std::uint32_t> ends;  ///< a bucket begins where the one before it ends
 
   std::size_t count() const { return ends.size(); }
+  const Item* begin(std::size_t key) const { return items.data() + (key == 0 ? 0 : ends[key - 1]); }
+  const Item* end(std::size_t key) const { return items.data() + ends[key]; }
   Item* begin(std::size_t key) { return items.data() + (key == 0 ? 0 : ends[key - 1]); }
   Item* end(std::size_t key) { return items.data() + ends[key]; }
 };
@@ -29,9 +31,8 @@ template <class Item, class Give>
 Buckets<Item> in_buckets(std::size_t count, std::size_t keys, Execution& execution, const Give& give)
 {
   std::vector<std::uint32_t> next(keys + 1, 0);
-  for_each_in_order(count, execution, [&](std::size_t i) {
-    give(i, [&](std::size_t key, const Item&) { ++next[key + 1]; });
-  });
+  for_each_in_order(count, execution,
+                    [&](std::size_t i) { give(i, [&](std::size_t key, const Item&) { ++next[key + 1]; }); });
   std::partial_sum(next.begin(), next.end(), next.begin());
   execution.check();
   Buckets<Item> buckets;
