@@ -49,6 +49,43 @@ TEST(Statistical, NoiseIsEstimatedWithinATenth)
   }
 }
 
+// Bumps of twenty edges: what polynomials leave over of them is no noise, and no reason to trust balls more.
+TEST(Statistical, ShapeIsNotTakenForNoise)
+{
+  constexpr int side = 60;
+  TriangleMesh mesh;
+  for (int i = 0; i <= side; ++i)
+    for (int j = 0; j <= side; ++j) mesh.positions.push_back({i - side / 2.0, j - side / 2.0, 0});
+  for (int a = 0; a + side + 2 < int(mesh.positions.size()); ++a) {
+    if (a % (side + 1) == side) continue;
+    mesh.triangles.push_back({a, a + side + 1, a + side + 2});
+    mesh.triangles.push_back({a, a + side + 2, a + 1});
+  }
+  const double edge = average_edge_length(mesh), q = 2 * 3.14159265358979 / (20 * edge), height = 0.3 * edge;
+  mesh = with_tangential_jitter(mesh, 0.2 * edge);
+  for (Vec3& p : mesh.positions) p.z = height * std::sin(q * p.x) * std::sin(q * p.y);
+  const Result estimated = compute_curvature(mesh, statistical());
+  Parameters p = statistical();
+  p.noise = estimated.noise;  // and it is noise
+  const Result told = compute_curvature(mesh, p);
+
+  double error = 0, error_if_noise = 0, size = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vec3& at = mesh.positions[v];
+    if (std::max(std::abs(at.x), std::abs(at.y)) > 20 * edge) continue;
+    const double sx = std::sin(q * at.x), cx = std::cos(q * at.x), sy = std::sin(q * at.y), cy = std::cos(q * at.y);
+    const double zx = height * q * cx * sy, zy = height * q * sx * cy, zxy = height * q * q * cx * cy,
+                 zxx = -height * q * q * sx * sy, zyy = zxx;
+    const double h =
+        -((1 + zy * zy) * zxx - 2 * zx * zy * zxy + (1 + zx * zx) * zyy) / (2 * std::pow(1 + zx * zx + zy * zy, 1.5));
+    error += std::abs((estimated.kappa_max[v] + estimated.kappa_min[v]) / 2 - h);
+    error_if_noise += std::abs((told.kappa_max[v] + told.kappa_min[v]) / 2 - h);
+    size += std::abs(h);
+  }
+  EXPECT_LT(error, 0.003 * size);
+  EXPECT_LT(error, 0.5 * error_if_noise);
+}
+
 TEST(Statistical, NoisySphere)
 {
   EXPECT_LT(mean_error(compute_curvature(noisy_sphere(0.1), statistical()), 1), 0.04);

@@ -81,19 +81,30 @@ TEST(VertexFit, ResidualIsTheNoiseAndVariancesAreThoseOfTheFit)
   const Surface surface(graph(
       40, [](double, double) { return 0.0; }, sigma));
   VertexFitter fitter(surface);
-  double residual = 0, squares = 0, variance = 0, count = 0;
+  double residual = 0, last_terms = 0, squares = 0, variance = 0, count = 0;
   for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
     const Vec3& p = surface.positions()[v];
     if (std::max(std::abs(p.x), std::abs(p.y)) * surface.unit() > 10) continue;
     const VertexFit fit = fitter.nearest(v, {0, 0, 1});
     residual += fit.residual;
+    last_terms += fit.last_terms;
     squares += std::pow(fit.tensor.k.trace() / 2, 2);
     variance += fit.mean_variance;
     ++count;
   }
   const double expected = std::pow(sigma / surface.unit(), 2);
   EXPECT_NEAR(residual / count, expected, 0.08 * expected);
+  EXPECT_NEAR(last_terms / count, expected, 0.08 * expected);
   EXPECT_NEAR(squares / count, variance / count * expected, 0.15 * squares / count);
+}
+
+TEST(VertexFit, ShapeFallsFromDegreeToDegree)
+{
+  const Surface surface(
+      graph(12, [](double x, double y) { return 0.1 * std::sin(1.5 * x + 0.7) * std::cos(y + 0.4); }));
+  const VertexFit fit = VertexFitter(surface).nearest(centre_of(surface), {0, 0, 1});
+  EXPECT_GT(fit.residual, 1e-16);
+  EXPECT_GT(fit.last_terms, 10 * fit.residual);
 }
 
 TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)

@@ -56,17 +56,19 @@ void sum_normal_equations(const HeightPlaces& places, int count, HeightMatrix& a
 }
 
 II_VECTOR_CLONES
-FitQuality fit_quality(const HeightPlaces& places, int count, const HeightMatrix& factor,
+FitQuality fit_quality(const HeightPlaces& places, int count, int last, const HeightMatrix& factor,
                        const Coefficients& whitened_heights, const std::array<Coefficients, 5>& whitened_parts)
 {
   constexpr std::size_t most = coefficient_count(largest_degree), parts = 5;
-  double squares[lanes] = {}, freedom[lanes] = {}, variance[parts][lanes] = {};
+  double squares[lanes] = {}, freedom[lanes] = {}, last_freedom[lanes] = {}, variance[parts][lanes] = {};
   for (std::size_t first = 0; first < places.full; first += lanes) {
     // z = L⁻¹ m, column by column, and its products as the columns are done.
-    double z[most][lanes], fitted[lanes] = {}, leverage[lanes] = {}, influence[parts][lanes] = {};
+    double z[most][lanes], fitted[lanes] = {}, leverage[lanes] = {}, below[lanes] = {}, influence[parts][lanes] = {};
     for (int i = 0; i < count; ++i)
       for (std::size_t j = 0; j < lanes; ++j) z[i][j] = places.monomial[i][first + j];
     for (int i = 0; i < count; ++i) {
+      if (i == last)
+        for (std::size_t j = 0; j < lanes; ++j) below[j] = leverage[j];
       const double* row = factor[std::size_t(i)].data();
       const double inverse = row[i], height = whitened_heights[std::size_t(i)];
       for (std::size_t j = 0; j < lanes; ++j) {
@@ -87,12 +89,16 @@ FitQuality fit_quality(const HeightPlaces& places, int count, const HeightMatrix
       const double w = places.weight[first + j], off = places.height[first + j] - fitted[j];
       squares[j] += w * off * off;
       freedom[j] += w - w * w * leverage[j];
+      last_freedom[j] += w * w * (leverage[j] - below[j]);
       for (std::size_t k = 0; k < parts; ++k) variance[k][j] += (w * influence[k][j]) * (w * influence[k][j]);
     }
   }
   FitQuality quality;
   quality.squares = sum_of_lanes(squares);
   quality.freedom = sum_of_lanes(freedom);
+  quality.last_freedom = sum_of_lanes(last_freedom);
+  for (int i = last; i < count; ++i)
+    quality.last_squares += whitened_heights[std::size_t(i)] * whitened_heights[std::size_t(i)];
   for (std::size_t k = 0; k < parts; ++k) quality.variance[k] = sum_of_lanes(variance[k]);
   return quality;
 }

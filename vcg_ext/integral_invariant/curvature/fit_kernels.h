@@ -35,11 +35,14 @@ void sum_normal_equations(const HeightPlaces& places, int count, HeightMatrix& a
 struct FitQuality {
   double squares = 0;                ///< Σ w off²
   double freedom = 0;                ///< E Σ w off² = σ² · freedom: Σ w − w² mᵀ(AᵀWA)⁻¹m
+  double last_squares = 0;           ///< Σ w h² of the terms of the highest degree alone
+  double last_freedom = 0;           ///< what noise makes of it, over σ²
   std::array<double, 5> variance{};  ///< of each part, Σ (w mᵀ(AᵀWA)⁻¹ part)²
 };
 
 /// `whitened` are L⁻¹ AᵀW h and L⁻¹ part for the factor L, as HeightSystem leaves it.
-FitQuality fit_quality(const HeightPlaces& places, int count, const HeightMatrix& factor,
+/// `last` is the first monomial of the highest degree.
+FitQuality fit_quality(const HeightPlaces& places, int count, int last, const HeightMatrix& factor,
                        const Coefficients& whitened_heights, const std::array<Coefficients, 5>& whitened_parts);
 
 }  // namespace integral_invariant

@@ -85,7 +85,7 @@ FitQuality HeightSystem::quality(const HeightPlaces& places, const std::array<co
   forward(heights, n);
   std::array<Coefficients, 5> whitened;
   for (std::size_t k = 0; k < parts.size(); ++k) forward(whitened[k] = *parts[k], n);
-  return fit_quality(places, n, a_, heights, whitened);
+  return fit_quality(places, n, coefficient_count(degree - 1), a_, heights, whitened);
 }
 
 double HeightSystem::explained(const Coefficients& solution, int degree) const

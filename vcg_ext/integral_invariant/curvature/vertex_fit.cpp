@@ -81,7 +81,7 @@ VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
 {
   constexpr std::size_t usual_count = 20;
   static_assert(usual_count <= HeightPlaces::capacity);
-  constexpr double weight_fall = 1.5;  // the farthest vertex weighs exp(−1.5)
+  constexpr double weight_fall = 4;  // the farthest vertex weighs exp(−4)
   const HeightFrame frame(normal);
   walk_rings(v, frame);
   const std::size_t count = std::min(places_.size(), usual_count);
@@ -111,6 +111,7 @@ VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
   set_variances([&](std::size_t k) { return quality.variance[k]; }, unit, fit);
   constexpr double least_freedom = 0.1;
   if (quality.freedom > least_freedom) fit.residual = quality.squares / quality.freedom;
+  if (quality.last_freedom > least_freedom) fit.last_terms = quality.last_squares / quality.last_freedom;
   return fit;
 }
 

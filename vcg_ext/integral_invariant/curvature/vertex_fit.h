@@ -20,9 +20,10 @@ namespace integral_invariant {
 struct VertexFit {
   CurvatureTensor tensor;  ///< confidence 1, or 0 where there were too few vertices
   double mean_variance = 0, deviator_variance = 0, normal_variance = 0;
-  double reach = 0;      ///< distance of the farthest vertex that counted, L
-  double residual = -1;  ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
-  double lean = 0;       ///< distance of a disc's mean vertex from its centre, over its radius: 0.42 for a half disc
+  double reach = 0;        ///< distance of the farthest vertex that counted, L
+  double residual = -1;    ///< σ² of the noise, from distances to the polynomial, L²; −1: too few vertices
+  double last_terms = -1;  ///< what σ² would be if the terms of the highest degree were noise, L²
+  double lean = 0;         ///< distance of a disc's mean vertex from its centre, over its radius: 0.42 for a half disc
 };
 
 /// Fits around one vertex after the other; holds scratch memory, so one a thread. Neighbours are found along the edges:

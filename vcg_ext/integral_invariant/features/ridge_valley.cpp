@@ -92,7 +92,7 @@ RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result&
                                            Execution& execution)
 {
   const std::size_t n = surface.vertex_count();
-  const auto [high, low] = thresholds(surface, result, p, execution);
+  const Thresholds threshold = thresholds(surface, result, p, execution);
   const std::vector<double> areas = vertex_areas(surface, execution);
   const double unit_area = surface.unit() * surface.unit();
   std::vector<Candidate> candidates(n);
@@ -103,14 +103,15 @@ RidgeValleyRegions find_ridges_and_valleys(const Surface& surface, const Result&
   RidgeValleyRegions found;
   found.kind.assign(n, FeatureKind::none);
   found.region.assign(n, -1);
-  found.high = high;
-  found.low = low;
+  found.high = threshold.high;
+  found.low = threshold.low;
   constexpr std::int32_t dropped = -2;
   for_each_in_order(n, execution, [&](std::size_t seed) {
-    if (found.region[seed] != -1 || candidates[seed].kind == FeatureKind::none || candidates[seed].strength < high)
+    if (found.region[seed] != -1 || candidates[seed].kind == FeatureKind::none ||
+        candidates[seed].strength < threshold.high)
       return;
-    const auto members =
-        flood(surface, candidates, low, std::uint32_t(seed), std::int32_t(found.regions.size()), found.region);
+    const auto members = flood(surface, candidates, threshold.low, std::uint32_t(seed),
+                               std::int32_t(found.regions.size()), found.region);
     FeatureRegion region{candidates[seed].kind, members.size()};
     for (const std::uint32_t v : members) {
       region.area += areas[v] * unit_area;

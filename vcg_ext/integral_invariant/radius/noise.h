@@ -19,15 +19,16 @@ struct Noise {
   std::vector<double> sigma;     ///< local standard deviation of δ
   std::vector<double> density;   ///< s² = σ² · (area a vertex); see disc_variance
   std::vector<double> flatness;  ///< what the triangles' flatness costs: an error of the curvature of flatness / r⁴
-  double mean_sigma = 0;         ///< root mean square of sigma
+  std::vector<double> shape_share;  ///< of σ², 0 to 1: how much of it is shape beyond polynomials instead
+  double mean_sigma = 0;            ///< root mean square of sigma
 };
 
 /// σ² is the mean over the neighbourhood of what the polynomials through the nearest vertices leave over
 /// (VertexFit::residual), without those that stand far out of it, as on creases; it knows no flat triangles, and δ/r
 /// does not enter. The offset is extrapolated from two small balls to radius 0 (shape enters an offset with r⁴).
 /// `offsets` are those of offset_free_measure(), scale by scale for each vertex. A `known_sigma` above 0 is taken
-/// instead of σ.
-/// \pre at least two scales. Cost O(n).
+/// instead of σ, and for noise alone. Noise stands in the polynomials' terms of the highest degree as much as in what
+/// is beyond them, shape falls from degree to degree: that tells shape_share. \pre at least two scales. Cost O(n).
 Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
                      const std::vector<VertexFit>& fits, double known_sigma, Execution& execution);
 

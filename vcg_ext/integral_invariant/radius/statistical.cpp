@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/offset_free.h"
@@ -117,12 +118,13 @@ std::vector<char> near_creases(const Surface& surface, const std::vector<VertexF
 FittedSignals make_fitted_signals(const Surface& surface, const std::vector<VertexFit>& fits,
                                   const std::vector<Frame>& frames, const Noise& noise, Execution& execution)
 {
-  constexpr double evident_residual = 6, least_variance = 1e-20;
+  constexpr double evident_residual = 6, evident_terms = 1.5, least_variance = 1e-20;
   const std::size_t n = fits.size();
   const std::vector<char> is_near_crease = near_creases(surface, fits, execution);
-  FittedSignals s{{1, Evidence::joint, {}, {}}, {2, Evidence::each, {}, {}}, {2, Evidence::each, {}, {}}};
+  FittedSignals s{{1, Evidence::joint, {}, {}, {}}, {2, Evidence::each, {}, {}, {}}, {2, Evidence::each, {}, {}, {}}};
   for (FittedSignal* signal : {&s.mean, &s.deviator, &s.normal}) {
     resize_in_steps(signal->values, n, execution);
+    resize_in_steps(signal->error, n, execution);
     signal->noise.assign(n, INFINITY);
     execution.check();
   }
@@ -132,13 +134,20 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
     const Components c = components_of(fit.tensor, frames[v]);
     double variance = noise.sigma[v] * noise.sigma[v];
     if (fit.residual > evident_residual * variance) variance = fit.residual;
+    // A polynomial that only shape leaves over is as exact as its residual is small, and better than any ball.
+    const bool is_shape = fit.last_terms > evident_terms * fit.residual;
+    const double noise_share = is_shape ? 1 - noise.shape_share[v] : 1;
+    const double of_noise = std::max(variance * noise_share, least_variance);
     variance = std::max(variance, least_variance);
     s.mean.values[v] = {c.mean, 0};
     s.deviator.values[v] = c.deviator;
     s.normal.values[v] = c.normal;
-    s.mean.noise[v] = fit.mean_variance * variance;
-    s.deviator.noise[v] = fit.deviator_variance * variance;
-    s.normal.noise[v] = fit.normal_variance * variance;
+    const std::pair<FittedSignal*, double> parts[] = {
+        {&s.mean, fit.mean_variance}, {&s.deviator, fit.deviator_variance}, {&s.normal, fit.normal_variance}};
+    for (const auto& [signal, of_part] : parts) {
+      signal->noise[v] = of_part * of_noise;
+      signal->error[v] = of_part * variance;
+    }
   });
   return s;
 }

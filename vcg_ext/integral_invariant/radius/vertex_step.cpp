@@ -40,7 +40,7 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
       const double weight = shape / (shape + 1);
       for (int c = k * of_each; c < (k + 1) * of_each; ++c) {
         result.value[v][c] += weight * (fitted.values[v][c] - result.value[v][c]);
-        result.variance[v][c] = weight * fitted.noise[v];
+        result.variance[v][c] = weight * fitted.error[v];
       }
     }
   });

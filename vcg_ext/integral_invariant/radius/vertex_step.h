@@ -16,6 +16,7 @@ struct FittedSignal {
   Evidence evidence;
   std::vector<std::array<double, 2>> values;  ///< n
   std::vector<double> noise;                  ///< n: variance of either component; infinite where there is no fit
+  std::vector<double> error;                  ///< n: the same with what shape of a higher degree may add
 };
 
 /// A fit to the vertices sees no flat triangles and has almost no bias, but the most noise of all: it is added to the
