@@ -47,6 +47,9 @@ std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense
       curve, surface.positions(), [&](std::size_t v) { return surface.is_referenced(v); }, execution);
   const std::vector<int> bits = merge_dense ? merged_bits(surface, places) : std::vector<int>(places.size(), 0);
   std::vector<std::uint32_t> point_of(surface.vertex_count(), 0);
+  order.points.reserve(places.size());
+  order.vertices.reserve(places.size());
+  order.vertex_start.reserve(places.size() + 1);
   for_each_in_order(places.size(), execution, [&](std::size_t i) {
     const Vec3& position = surface.positions()[places[i].vertex];
     const bool is_same_cell = i > 0 && bits[i] > 0 && places[i].cell >> bits[i] == places[i - 1].cell >> bits[i];
@@ -114,13 +117,13 @@ void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& p
     kept.push_back(t);
   });
   order_compactly(items, SpatialOrder::run, execution);
-  order.triangles.resize(kept.size());
+  resize_in_steps(order.triangles, kept.size(), execution);
   for_each_index(kept.size(), execution, [&](std::size_t i) { order.triangles[i] = kept[items[i].index]; });
 }
 
 void find_normals(SpatialOrder& order, Execution& execution)
 {
-  order.normals.assign(order.points.size(), {});
+  resize_in_steps(order.normals, order.points.size(), execution);
   for_each_in_order(order.triangles.size(), execution, [&](std::size_t triangle) {
     const Triangle& t = order.triangles[triangle];
     const Vec3 &a = order.points[std::size_t(t[0])], &b = order.points[std::size_t(t[1])],

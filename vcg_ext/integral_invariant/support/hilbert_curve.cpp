@@ -72,7 +72,8 @@ std::uint32_t HilbertCurve::cell(double offset) const
 
 std::vector<std::uint64_t> HilbertCurve::indices(const std::vector<Vec3>& points, Execution& execution) const
 {
-  std::vector<std::uint64_t> result(points.size());
+  std::vector<std::uint64_t> result;
+  resize_in_steps(result, points.size(), execution);
   parallel_step(points.size(), 8192, execution, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t begin = first; begin < last; begin += Cells::count) {
       const std::size_t count = std::min(Cells::count, last - begin);
