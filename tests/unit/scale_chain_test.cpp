@@ -159,3 +159,18 @@ TEST(GridPool, SumsToTheTotalAndIsLocal)
   EXPECT_EQ(single[50][0], 0);
   EXPECT_GT(single[1][0], 0);
 }
+
+TEST(GridPool, SumsAreTheSameBitsWithAnyNumberOfThreads)
+{
+  std::vector<Vec3> places;
+  std::vector<std::array<double, 2>> values;
+  for (int i = 0; i < 20000; ++i) {
+    places.push_back({100 * std::sin(i * 0.7), 100 * std::cos(i * 1.3), 10 * std::sin(i * 2.9)});
+    values.push_back({std::sin(i * 0.1), 1});
+  }
+  Execution alone(1), several(3);
+  auto by_one = values, by_three = values;
+  GridPool(places, 8, alone).sum_around(by_one, alone);
+  GridPool(places, 8, several).sum_around(by_three, several);
+  EXPECT_EQ(by_one, by_three);
+}
