@@ -34,7 +34,8 @@ TEST(Buckets, HoldWhatHasTheirKeyInTheOrderInWhichItCame)
     put(i % 3, int(i));
     put(i % 3, -int(i));
   });
-  const std::vector<std::vector<int>> expected = {{0, 0, 3, -3, 6, -6, 9, -9}, {1, -1, 4, -4, 7, -7}, {2, -2, 8, -8}, {}};
+  const std::vector<std::vector<int>> expected = {
+      {0, 0, 3, -3, 6, -6, 9, -9}, {1, -1, 4, -4, 7, -7}, {2, -2, 8, -8}, {}};
   ASSERT_EQ(buckets.count(), expected.size());
   for (std::size_t key = 0; key < expected.size(); ++key)
     EXPECT_EQ(std::vector<int>(buckets.begin(key), buckets.end(key)), expected[key]) << key;

@@ -13,18 +13,18 @@ namespace {
 
 /// 21 bits a coordinate: grids of up to two million cells along each axis.
 constexpr int coordinate_bits = 21;
+constexpr std::int64_t coordinate_mask = (std::int64_t(1) << coordinate_bits) - 1;
 
 std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z)
 {
-  constexpr std::int64_t mask = (std::int64_t(1) << coordinate_bits) - 1;
-  return std::uint64_t(x & mask) << 2 * coordinate_bits | std::uint64_t(y & mask) << coordinate_bits |
-         std::uint64_t(z & mask);
+  return std::uint64_t(x & coordinate_mask) << 2 * coordinate_bits |
+         std::uint64_t(y & coordinate_mask) << coordinate_bits | std::uint64_t(z & coordinate_mask);
 }
 
 /// The key of the cell's corner: the cell's own but one farther along some axes.
 std::uint64_t corner_key(std::uint64_t cell, int corner)
 {
-  const auto coordinate = [&](int place) { return std::int64_t(cell >> place * coordinate_bits); };
+  const auto coordinate = [&](int place) { return std::int64_t(cell >> place * coordinate_bits) & coordinate_mask; };
   return key_of(coordinate(2) + (corner & 1), coordinate(1) + (corner >> 1 & 1), coordinate(0) + (corner >> 2));
 }
 
