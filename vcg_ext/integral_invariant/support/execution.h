@@ -99,7 +99,7 @@ void for_each_in_order(std::size_t count, Execution& execution, const Body& body
 template <class T>
 void resize_in_steps(std::vector<T>& values, std::size_t size, Execution& execution)
 {
-  constexpr std::size_t block = (std::size_t(1) << 25) / sizeof(T) + 1;
+  constexpr std::size_t block = (std::size_t(1) << 23) / sizeof(T) + 1;
   values.reserve(size);
   while (values.size() < size) {
     values.resize(std::min(size, values.size() + block));
