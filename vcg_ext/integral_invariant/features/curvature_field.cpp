@@ -30,11 +30,9 @@ CurvatureField curvature_field(const Result& result)
 
 CurvatureField smoothed(const Surface& surface, CurvatureField field, int passes, Execution& execution, double to)
 {
-  execution.check();
   const auto &start = surface.neighbour_start(), &neighbours = surface.neighbours();
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Symmetric3> tensors = tensors_of(field, execution);
-    execution.check();
     CurvatureField next = field;
     execution.check();
     parallel_for(
