@@ -9,6 +9,7 @@
 
 #include "integral_invariant/curve_order.h"
 #include "integral_invariant/support/buckets.h"
+#include "integral_invariant/support/large_pages.h"
 
 namespace integral_invariant {
 
@@ -44,7 +45,7 @@ std::vector<std::uint32_t> vertex_order(const TriangleMesh& mesh, Execution& exe
       curve_through(mesh.positions, used, execution), mesh.positions, [&](std::size_t v) { return used[v] != 0; },
       execution);
   std::vector<std::uint32_t> order;
-  order.reserve(mesh.positions.size());
+  reserve_large(order, mesh.positions.size());
   for_each_in_order(places.size(), execution, [&](std::size_t i) { order.push_back(places[i].vertex); });
   for_each_in_order(mesh.positions.size(), execution, [&](std::size_t v) {
     if (!used[v]) order.push_back(std::uint32_t(v));
@@ -93,8 +94,9 @@ CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution)
   require_valid_indices(mesh);
   CanonicalMesh canonical;
   canonical.caller = vertex_order(mesh, execution);
-  canonical.mesh.positions.reserve(mesh.positions.size());
-  std::vector<std::uint32_t> place(mesh.positions.size());
+  reserve_large(canonical.mesh.positions, mesh.positions.size());
+  std::vector<std::uint32_t> place;
+  resize_in_steps(place, mesh.positions.size(), execution);
   for_each_in_order(canonical.caller.size(), execution, [&](std::size_t i) {
     place[canonical.caller[i]] = std::uint32_t(i);
     canonical.mesh.positions.push_back(mesh.positions[canonical.caller[i]]);

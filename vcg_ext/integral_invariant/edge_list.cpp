@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "integral_invariant/support/buckets.h"
+#include "integral_invariant/support/large_pages.h"
 
 namespace integral_invariant {
 
@@ -33,7 +34,7 @@ std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t 
   });
 
   std::vector<Edge> edges;
-  edges.reserve(passes.items.size() / 2);
+  reserve_large(edges, passes.items.size() / 2);
   for_each_in_order(vertices, execution, [&](std::size_t v) {
     for (const Pass *pass = passes.begin(v), *end = passes.end(v); pass != end;) {
       Edge edge{std::uint32_t(v), pass->high, 0, 0};

@@ -10,6 +10,7 @@
 #include "integral_invariant/edge_list.h"
 #include "integral_invariant/support/buckets.h"
 #include "integral_invariant/support/error.h"
+#include "integral_invariant/support/large_pages.h"
 
 namespace integral_invariant {
 
@@ -39,7 +40,7 @@ std::vector<Triangle> without_repetitions(const std::vector<Triangle>& triangles
       if (t != begin && t->triangle == (t - 1)->triangle) repeated[t->number] = 1;
   });
   std::vector<Triangle> kept;
-  kept.reserve(triangles.size());
+  reserve_large(kept, triangles.size());
   for_each_in_order(triangles.size(), execution, [&](std::size_t i) {
     if (!repeated[i]) kept.push_back(triangles[i]);
   });
@@ -92,7 +93,7 @@ void Surface::take_triangles(const TriangleMesh& mesh, Execution& execution)
                     [&](std::size_t v) { report_.nonfinite_vertices += !is_finite(mesh.positions[v]); });
 
   require_valid_indices(mesh);
-  triangles_.reserve(mesh.triangles.size());
+  reserve_large(triangles_, mesh.triangles.size());
   for_each_in_order(mesh.triangles.size(), execution, [&](std::size_t i) {
     if (is_proper(mesh.triangles[i], mesh.positions)) triangles_.push_back(mesh.triangles[i]);
   });

@@ -9,6 +9,7 @@
 #include "integral_invariant/curve_order.h"
 #include "integral_invariant/moments/compact_order.h"
 #include "integral_invariant/support/buckets.h"
+#include "integral_invariant/support/large_pages.h"
 
 namespace integral_invariant {
 
@@ -45,9 +46,9 @@ std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense
       curve, surface.positions(), [&](std::size_t v) { return surface.is_referenced(v); }, execution);
   const std::vector<int> bits = merge_dense ? merged_bits(surface, places) : std::vector<int>(places.size(), 0);
   std::vector<std::uint32_t> point_of(surface.vertex_count(), 0);
-  order.points.reserve(places.size());
-  order.vertices.reserve(places.size());
-  order.vertex_start.reserve(places.size() + 1);
+  reserve_large(order.points, places.size());
+  reserve_large(order.vertices, places.size());
+  reserve_large(order.vertex_start, places.size() + 1);
   for_each_in_order(places.size(), execution, [&](std::size_t i) {
     const Vec3& position = surface.positions()[places[i].vertex];
     const bool is_same_cell = i > 0 && bits[i] > 0 && places[i].cell >> bits[i] == places[i - 1].cell >> bits[i];
@@ -71,15 +72,15 @@ PlacedItem placed(const Vec3& p, std::size_t index)
 void order_points(SpatialOrder& order, std::vector<std::uint32_t>& point_of, Execution& execution)
 {
   std::vector<PlacedItem> items;
-  items.reserve(order.points.size());
+  reserve_large(items, order.points.size());
   for_each_in_order(order.points.size(), execution,
                     [&](std::size_t i) { items.push_back(placed(order.points[i], i)); });
   order_compactly(items, SpatialOrder::run, execution);
   std::vector<std::uint32_t> start, vertices, number(order.points.size());
   std::vector<Vec3> points;
-  start.reserve(order.vertex_start.size());
-  vertices.reserve(order.vertices.size());
-  points.reserve(order.points.size());
+  reserve_large(start, order.vertex_start.size());
+  reserve_large(vertices, order.vertices.size());
+  reserve_large(points, order.points.size());
   for_each_in_order(items.size(), execution, [&](std::size_t i) {
     const std::uint32_t point = items[i].index;
     number[point] = std::uint32_t(points.size());
@@ -101,8 +102,8 @@ void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& p
 {
   std::vector<Triangle> kept;
   std::vector<PlacedItem> items;
-  kept.reserve(surface.triangles().size());
-  items.reserve(surface.triangles().size());
+  reserve_large(kept, surface.triangles().size());
+  reserve_large(items, surface.triangles().size());
   for_each_in_order(surface.triangles().size(), execution, [&](std::size_t i) {
     const Triangle& triangle = surface.triangles()[i];
     const Triangle t = smallest_first({std::int32_t(point_of[std::size_t(triangle[0])]),

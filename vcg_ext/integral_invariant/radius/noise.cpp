@@ -36,7 +36,8 @@ OffsetScales offset_scales(const std::vector<double>& radii)
 /// triangles' own areas.
 std::vector<double> projected_areas(const Surface& surface, const TensorField& tensors, int scale, Execution& execution)
 {
-  std::vector<double> area(surface.vertex_count(), 0);
+  std::vector<double> area;
+  resize_in_steps(area, surface.vertex_count(), execution);
   const std::vector<Vec3>& p = surface.positions();
   for_each_in_order(surface.triangles().size(), execution, [&](std::size_t i) {
     const Triangle& t = surface.triangles()[i];
@@ -97,7 +98,9 @@ Residuals pooled_residuals(const std::vector<VertexFit>& fits, const GridPool& p
   constexpr double least = 1e-20, evident = 6;
   constexpr int rounds = 4;
   const std::size_t n = fits.size();
-  Residuals result{std::vector<double>(n, -1), std::vector<double>(n, 0)};
+  Residuals result;
+  resize_in_steps(result.variance, n, execution, -1.0);
+  resize_in_steps(result.shape_share, n, execution);
   std::vector<double>& variance = result.variance;
   std::vector<std::array<double, 3>> local;
   resize_in_steps(local, n, execution);
@@ -166,7 +169,8 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
 
   // Vertices without fits around get the average of the others.
   double variance_sum = 0, count = 0;
-  std::vector<double> area_each(n, usual_area);
+  std::vector<double> area_each;
+  resize_in_steps(area_each, n, execution, usual_area);
   for_each_in_order(n, execution, [&](std::size_t v) {
     if (local[v][0] > 0) area_each[v] = local[v][1] / local[v][0];
     if (variance[v] < 0) return;

@@ -125,8 +125,7 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
   for (FittedSignal* signal : {&s.mean, &s.deviator, &s.normal}) {
     resize_in_steps(signal->values, n, execution);
     resize_in_steps(signal->error, n, execution);
-    signal->noise.assign(n, INFINITY);
-    execution.check();
+    resize_in_steps(signal->noise, n, execution, double(INFINITY));
   }
   for_each_index(n, execution, [&](std::size_t v) {
     const VertexFit& fit = fits[v];

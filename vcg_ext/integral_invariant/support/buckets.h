@@ -30,7 +30,8 @@ struct Buckets {
 template <class Item, class Give>
 Buckets<Item> in_buckets(std::size_t count, std::size_t keys, Execution& execution, const Give& give)
 {
-  std::vector<std::uint32_t> next(keys + 1, 0);
+  std::vector<std::uint32_t> next;
+  resize_in_steps(next, keys + 1, execution);
   for_each_in_order(count, execution,
                     [&](std::size_t i) { give(i, [&](std::size_t key, const Item&) { ++next[key + 1]; }); });
   std::partial_sum(next.begin(), next.end(), next.begin());

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "integral_invariant/support/large_pages.h"
+
 namespace integral_invariant {
 
 /// Receives the percentage done (0 to 100) and the name of the stage; false asks to stop.
@@ -95,14 +97,15 @@ void for_each_in_order(std::size_t count, Execution& execution, const Body& body
   }
 }
 
-/// Resizes to `size`; asks meanwhile, for the system takes a second to hand out a few gigabytes. \throw Cancelled
+/// Resizes to `size`, new elements being `value`; asks meanwhile, for the system takes a second to hand out a few
+/// gigabytes. \throw Cancelled
 template <class T>
-void resize_in_steps(std::vector<T>& values, std::size_t size, Execution& execution)
+void resize_in_steps(std::vector<T>& values, std::size_t size, Execution& execution, const T& value = {})
 {
   constexpr std::size_t block = (std::size_t(1) << 23) / sizeof(T) + 1;
-  values.reserve(size);
+  reserve_large(values, size);
   while (values.size() < size) {
-    values.resize(std::min(size, values.size() + block));
+    values.resize(std::min(size, values.size() + block), value);
     execution.check();
   }
 }

@@ -46,13 +46,15 @@ class Numbering {
 GridPool::GridPool(const std::vector<Vec3>& places, double cell, Execution& execution)
 {
   const auto scaled = [&](std::size_t v) { return places[v] * (1 / cell); };
-  std::vector<std::uint64_t> keys(places.size());
+  std::vector<std::uint64_t> keys;
+  resize_in_steps(keys, places.size(), execution);
   for_each_index(places.size(), execution, [&](std::size_t v) {
     const Vec3 p = scaled(v);
     keys[v] = key_of(std::int64_t(std::floor(p.x)), std::int64_t(std::floor(p.y)), std::int64_t(std::floor(p.z)));
   });
   Numbering cells, nodes;
-  std::vector<std::uint32_t> cell_of(places.size());
+  std::vector<std::uint32_t> cell_of;
+  resize_in_steps(cell_of, places.size(), execution);
   for_each_in_order(places.size(), execution, [&](std::size_t v) {
     if (v > 0 && keys[v] == keys[v - 1]) {
       cell_of[v] = cell_of[v - 1];

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "integral_invariant/support/large_pages.h"
 
 namespace integral_invariant {
 
@@ -24,7 +21,7 @@ class ZeroedArray {
   explicit ZeroedArray(std::size_t size) : elements_(static_cast<T*>(std::calloc(size ? size : 1, sizeof(T))))
   {
     if (!elements_) throw std::bad_alloc();
-    ask_for_large_pages(size * sizeof(T));
+    ask_for_large_pages(elements_.get(), size * sizeof(T));
   }
   T* data() { return elements_.get(); }
   T& operator[](std::size_t i) { return elements_[i]; }
@@ -34,17 +31,6 @@ class ZeroedArray {
   struct Free {
     void operator()(T* block) const { std::free(block); }
   };
-
-  void ask_for_large_pages([[maybe_unused]] std::size_t bytes)
-  {
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    constexpr std::uintptr_t page = std::uintptr_t(1) << 21;
-    const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(elements_.get());
-    const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + bytes) / page * page;
-    // Without them it only takes longer.
-    if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-#endif
-  }
 
   std::unique_ptr<T[], Free> elements_;
 };
