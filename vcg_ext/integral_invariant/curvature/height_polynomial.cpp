@@ -1,107 +1,96 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stage 2: polynomial heights. In: places over a tangent plane. Out: coefficients, curvature. Cost: O(c²) a place,
-// O(c³) a fit of c coefficients: 1 µs for degree 3, 3 µs for degree 4. Source: Cholesky's method; the shape operator of
-// a graph.
+// Stage 2: polynomial heights. In: sums over places on a tangent plane. Out: coefficients, their variances, curvature.
+// Cost: O(c³) a fit of c coefficients, half a microsecond for degree 4. Source: Cholesky's method; the shape operator
+// of a graph.
 #include "integral_invariant/curvature/height_polynomial.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "integral_invariant/curvature/fit_kernels.h"
 
 namespace integral_invariant {
 
-void monomials(double x, double y, int degree, Coefficients& m)
-{
-  m[0] = 1;
-  int before = 0, here = 1;
-  for (int d = 1; d <= degree; ++d) {
-    for (int i = 0; i < d; ++i) m[here + i] = m[before + i] * x;
-    m[here + d] = m[here - 1] * y;
-    before = here;
-    here += d + 1;
-  }
-}
+namespace {
 
-HeightSystem::HeightSystem(const HeightPlaces& places, int degree)
-{
-  sum_normal_equations(places, coefficient_count(degree), a_, b_);
-}
+/// Place in the lists of x^(d−i) y^i, by the degree d and i.
+constexpr int place_of(int degree, int i) { return degree * (degree + 1) / 2 + i; }
 
-void HeightSystem::add(const Coefficients& m, double height)
+/// Σ w m_i m_j for j ≥ i.
+void set_normal_matrix(const HeightSums& sums, int degree, HeightMatrix& a)
 {
-  for (int i = 0; i < coefficient_count(2); ++i) {
-    for (int j = 0; j <= i; ++j) a_[i][j] += m[i] * m[j];
-    b_[i] += m[i] * height;
-  }
-}
-
-int HeightSystem::factor(int degree)
-{
-  // What is left of a column when the others have explained it: with less, the places hardly tell it. An even disc
-  // leaves 0.05 of x⁴ and more of the others.
-  constexpr double least_share = 1e-3;
-  const int n = coefficient_count(degree);
-  int rank = 0;
-  for (; rank < n; ++rank) {
-    Coefficients& row = a_[rank];
-    const double diagonal = row[rank];
-    forward(row, rank);
-    for (int j = 0; j < rank; ++j) {
-      row[rank] -= row[j] * row[j];
-      a_[j][rank] = row[j];
+  for (int d = 0; d <= degree; ++d)
+    for (int i = 0; i <= d; ++i) {
+      for (int e = d; e <= degree; ++e)
+        for (int j = 0; j <= e; ++j)
+          a.set(place_of(d, i), place_of(e, j), sums.powers[std::size_t(place_of(d + e, i + j))]);
     }
-    if (!(row[rank] > least_share * diagonal)) break;
-    row[rank] = 1 / std::sqrt(row[rank]);
-  }
-  while (degree > 0 && coefficient_count(degree) > rank) --degree;
-  return degree;
 }
 
-void HeightSystem::forward(Coefficients& x, int count) const
+constexpr std::size_t heights_column = 0, first_part_column = 1;
+static_assert(first_part_column + height_part_count <= kernel_lanes, "a column a lane");
+
+void set_right_sides(const HeightSums& sums, int count, WhitenedColumns& columns)
 {
-  for (int i = 0; i < count; ++i) {
-    x[i] *= a_[i][i];
-    for (int k = i + 1; k < count; ++k) x[k] -= a_[i][k] * x[i];
-  }
+  for (int i = 0; i < count; ++i) columns.rows[i][heights_column] = sums.heights[std::size_t(i)];
+  const auto set_part = [&](int monomial, HeightPart part, double value) {
+    columns.rows[monomial][first_part_column + part] = value;
+  };
+  constexpr int x = place_of(1, 0), y = place_of(1, 1), xx = place_of(2, 0), xy = place_of(2, 1), yy = place_of(2, 2);
+  set_part(x, slope_x_part, 1);
+  set_part(y, slope_y_part, 1);
+  set_part(xx, mean_part, 1);
+  set_part(yy, mean_part, 1);
+  set_part(xx, deviator_a_part, 1);
+  set_part(yy, deviator_a_part, -1);
+  set_part(xy, deviator_b_part, 1);
 }
 
-Coefficients HeightSystem::solution(int degree) const
+}  // namespace
+
+HeightFit::HeightFit(const HeightSums& sums, int degree) : degree_(degree), sum_of_squares_(sums.squares)
 {
-  const int n = coefficient_count(degree);
-  Coefficients c = b_;
-  forward(c, n);
-  for (int i = n; i-- > 0;) {
-    c[i] *= a_[i][i];
-    for (int k = 0; k < i; ++k) c[k] -= a_[i][k] * c[i];
+  set_normal_matrix(sums, degree, factor_);
+  const int rank = factor_as_far_as_determined(factor_, coefficient_count(degree));
+  while (degree_ > 0 && coefficient_count(degree_) > rank) --degree_;
+  set_right_sides(sums, coefficient_count(degree_), whitened_);
+  whiten(factor_, coefficient_count(degree_), whitened_);
+}
+
+Coefficients HeightFit::coefficients() const
+{
+  const int count = coefficient_count(degree_);
+  Coefficients c{};
+  for (int i = 0; i < count; ++i) c[std::size_t(i)] = whitened_.rows[i][heights_column];
+  for (int i = count; i-- > 0;) {
+    double rest = c[std::size_t(i)];
+    for (int k = i + 1; k < count; ++k) rest -= factor_.at(i, k) * c[std::size_t(k)];
+    c[std::size_t(i)] = rest * factor_.at(i, i);
   }
   return c;
 }
 
-FitQuality HeightSystem::quality(const HeightPlaces& places, const std::array<const Coefficients*, 5>& parts,
-                                 int degree) const
+double HeightFit::squares() const
 {
-  const int n = coefficient_count(degree);
-  Coefficients heights = b_;
-  forward(heights, n);
-  std::array<Coefficients, 5> whitened;
-  for (std::size_t k = 0; k < parts.size(); ++k) forward(whitened[k] = *parts[k], n);
-  return fit_quality(places, n, coefficient_count(degree - 1), a_, heights, whitened);
+  double explained = 0;
+  for (int i = 0; i < coefficient_count(degree_); ++i) {
+    const double z = whitened_.rows[i][heights_column];
+    explained += z * z;
+  }
+  return std::max(0.0, sum_of_squares_ - explained);
 }
 
-double HeightSystem::explained(const Coefficients& solution, int degree) const
+double HeightFit::variance(HeightPart part) const
 {
   double sum = 0;
-  for (int i = 0; i < coefficient_count(degree); ++i) sum += solution[i] * b_[i];
+  for (int i = 0; i < coefficient_count(degree_); ++i) {
+    const double z = whitened_.rows[i][first_part_column + part];
+    sum += z * z;
+  }
   return sum;
 }
 
-double HeightSystem::inverse_form(Coefficients b, int degree) const
+FitQuality HeightFit::quality(const HeightPlaces& places) const
 {
-  const int n = coefficient_count(degree);
-  forward(b, n);
-  double sum = 0;
-  for (int i = 0; i < n; ++i) sum += b[i] * b[i];
-  return sum;
+  return fit_quality(places, coefficient_count(degree_), coefficient_count(degree_ - 1), factor_, whitened_);
 }
 
 HeightFrame::HeightFrame(const Vec3& up) : normal(up), x(any_orthogonal(up)), y(cross(up, x)) {}

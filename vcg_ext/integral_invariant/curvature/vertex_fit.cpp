@@ -12,19 +12,15 @@ namespace {
 
 constexpr int nearest_degree = 4, disc_degree = 2, least_degree = 2;
 
-/// Variances of what a fit says, from those of its coefficients, which `variance_of` gives.
+/// Variances of what a fit says, from those of its parts, which `variance_of` gives.
 template <class VarianceOf>
 void set_variances(const VarianceOf& variance_of, double unit, VertexFit& fit)
 {
   const double unit2 = unit * unit, unit4 = unit2 * unit2;
-  fit.mean_variance = variance_of(0) / unit4;
-  fit.deviator_variance = (variance_of(1) + variance_of(2)) / (2 * unit4);
-  fit.normal_variance = (variance_of(3) + variance_of(4)) / (2 * unit2);
+  fit.mean_variance = variance_of(mean_part) / unit4;
+  fit.deviator_variance = (variance_of(deviator_a_part) + variance_of(deviator_b_part)) / (2 * unit4);
+  fit.normal_variance = (variance_of(slope_x_part) + variance_of(slope_y_part)) / (2 * unit2);
 }
-
-constexpr std::array<const Coefficients*, 5> parts = {&height_part::mean, &height_part::deviator_a,
-                                                      &height_part::deviator_b, &height_part::slope_x,
-                                                      &height_part::slope_y};
 
 }  // namespace
 
@@ -100,19 +96,33 @@ VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
     heights_in_lanes_.set(i, p.x / unit, p.y / unit, p.height, weight);
   }
   heights_in_lanes_.complete(degree);
-  HeightSystem system(heights_in_lanes_, degree);
-  degree = system.factor(degree);
-  if (degree < least_degree) return {};
+  const HeightFit polynomial(sums_of(heights_in_lanes_, degree), degree);
+  if (polynomial.degree() < least_degree) return {};
 
   VertexFit fit;
-  fit.tensor = graph_curvature(system.solution(degree), frame, unit);
+  fit.tensor = graph_curvature(polynomial.coefficients(), frame, unit);
   fit.reach = unit;
-  const FitQuality quality = system.quality(heights_in_lanes_, parts, degree);
-  set_variances([&](std::size_t k) { return quality.variance[k]; }, unit, fit);
+  const FitQuality quality = polynomial.quality(heights_in_lanes_);
+  set_variances([&](HeightPart part) { return quality.variance[part]; }, unit, fit);
   constexpr double least_freedom = 0.1;
   if (quality.freedom > least_freedom) fit.residual = quality.squares / quality.freedom;
   if (quality.last_freedom > least_freedom) fit.last_terms = quality.last_squares / quality.last_freedom;
   return fit;
+}
+
+/// Marks the neighbours in a part of the list as seen, and returns how many were not; without a branch, for who is new
+/// cannot be foreseen.
+std::size_t VertexFitter::find_unseen(std::uint32_t begin, std::uint32_t end, std::uint32_t* unseen)
+{
+  const std::uint32_t* const neighbours = surface_.neighbours().data();
+  std::size_t count = 0;
+  for (std::uint32_t e = begin; e < end; ++e) {
+    const std::uint32_t w = neighbours[e];
+    unseen[count] = w;
+    count += seen_[w] != stamp_;
+    seen_[w] = stamp_;
+  }
+  return count;
 }
 
 void VertexFitter::start_disc(std::size_t v, const Vec3& normal)
@@ -121,27 +131,21 @@ void VertexFitter::start_disc(std::size_t v, const Vec3& normal)
   queue_.clear();
   frame_ = HeightFrame(normal);
   centre_ = surface_.positions()[v];
-  heights_ = {};
-  squares_ = sum_x_ = sum_y_ = 0;
-  disc_count_ = 0;
+  sums_ = {};
+  taken_.clear();
   beyond_.assign(1, {0, 0, 0, 0, std::uint32_t(v)});
 }
 
 void VertexFitter::take_into_disc(const Place& place)
 {
-  Coefficients m{};
-  monomials(place.x, place.y, disc_degree, m);
-  heights_.add(m, place.height);
-  squares_ += place.height * place.height;
-  sum_x_ += place.x;
-  sum_y_ += place.y;
-  ++disc_count_;
+  taken_.add(place.x, place.y, place.height);
   queue_.push_back(place.vertex);
 }
 
 VertexFit VertexFitter::grow_disc(double radius)
 {
   constexpr std::size_t least_count = 10;
+  constexpr std::uint32_t few = 16;  // of a hub's spokes at a time
   // Four times what a mesh of even edges has in the largest ball. Where vertices are as dense
   // as that, smaller discs have all that is needed, and larger ones would take the square of the density.
   constexpr std::size_t most_count = 4096;
@@ -151,38 +155,41 @@ VertexFit VertexFitter::grow_disc(double radius)
   const auto is_within = [&](const Place& p) {
     return p.squared_distance <= squared_radius && p.height * p.height <= steepest * steepest * squared_radius;
   };
-  const auto is_full = [&] { return disc_count_ > most_count; };
+  const auto is_full = [&] { return std::size_t(sums_.powers[0]) + taken_.count > most_count; };
   if (is_full()) return {};
   const auto first_within =
       std::partition(beyond_.begin(), beyond_.end(), [&](const Place& p) { return !is_within(p); });
   for (auto p = first_within; p != beyond_.end(); ++p) take_into_disc(*p);
   beyond_.erase(first_within, beyond_.end());
   for (std::size_t next = 0; next < queue_.size() && !is_full(); ++next) {
-    const std::uint32_t u = queue_[next];
-    for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1] && !is_full(); ++e) {
-      const std::uint32_t w = surface_.neighbours()[e];
-      if (seen_[w] == stamp_) continue;
-      seen_[w] = stamp_;
-      if (barrier_ && (*barrier_)[w]) continue;
-      const Place place = place_of(w, centre_, frame_);
-      if (is_within(place))
-        take_into_disc(place);
-      else
-        beyond_.push_back(place);
+    const std::uint32_t u = queue_[next], end = surface_.neighbour_start()[u + 1];
+    for (std::uint32_t e = surface_.neighbour_start()[u]; e < end && !is_full(); e += few) {
+      std::array<std::uint32_t, few> fresh;
+      const std::size_t fresh_count = find_unseen(e, std::min(e + few, end), fresh.data());
+      for (std::size_t i = 0; i < fresh_count; ++i) {
+        if (barrier_ && (*barrier_)[fresh[i]]) continue;
+        const Place place = place_of(fresh[i], centre_, frame_);
+        if (is_within(place))
+          take_into_disc(place);
+        else
+          beyond_.push_back(place);
+      }
     }
   }
   queue_.clear();
+  add_to_quadric_sums(taken_, sums_);
+  taken_.clear();
 
-  HeightSystem system = heights_;
-  if (disc_count_ < least_count || is_full() || system.factor(disc_degree) < disc_degree) return {};
+  const double count = sums_.powers[0];
+  if (count < double(least_count) || is_full()) return {};
+  const HeightFit quadric(sums_, disc_degree);
+  if (quadric.degree() < disc_degree) return {};
   VertexFit fit;
   fit.reach = radius;
-  fit.lean = std::hypot(sum_x_, sum_y_) / (double(disc_count_) * radius);
-  const Coefficients c = system.solution(disc_degree);
-  fit.tensor = graph_curvature(c, frame_, 1);
-  const double freedom = double(disc_count_) - coefficient_count(disc_degree);
-  fit.residual = std::max(0.0, squares_ - heights_.explained(c, disc_degree)) / freedom;
-  set_variances([&](std::size_t k) { return system.inverse_form(*parts[k], disc_degree); }, 1, fit);
+  fit.lean = std::hypot(sums_.powers[1], sums_.powers[2]) / (count * radius);
+  fit.tensor = graph_curvature(quadric.coefficients(), frame_, 1);
+  fit.residual = quadric.squares() / (count - coefficient_count(disc_degree));
+  set_variances([&](HeightPart part) { return quadric.variance(part); }, 1, fit);
   return fit;
 }
 

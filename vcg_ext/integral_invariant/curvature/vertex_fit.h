@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include "integral_invariant/curvature/fit_kernels.h"
 #include "integral_invariant/curvature/height_polynomial.h"
 #include "integral_invariant/curvature/scale_blend.h"
 #include "integral_invariant/support/execution.h"
@@ -53,6 +52,7 @@ class VertexFitter {
   Place place_of(std::uint32_t u, const Vec3& centre, const HeightFrame& frame) const;
   void start_at(std::size_t v);
   void walk_rings(std::size_t v, const HeightFrame& frame);
+  std::size_t find_unseen(std::uint32_t begin, std::uint32_t end, std::uint32_t* unseen);
   void take_into_disc(const Place& place);
 
   const Surface& surface_;
@@ -64,9 +64,8 @@ class VertexFitter {
   // The disc: heights over a frame at its centre, the vertices that wait beyond its rim.
   HeightFrame frame_{{0, 0, 1}};
   Vec3 centre_;
-  HeightSystem heights_;
-  double squares_ = 0, sum_x_ = 0, sum_y_ = 0;
-  std::size_t disc_count_ = 0;
+  HeightSums sums_;
+  PlaceColumns taken_;  ///< vertices that are not yet in the sums
   std::vector<Place> beyond_;
 };
 

@@ -62,7 +62,7 @@ class SurfaceEngine : public MomentEngine {
   {
     const bool compares_scales =
         parameters_.radius_choice == RadiusChoice::statistical || parameters_.estimator == Estimator::bias_free;
-    return compares_scales ? FarDetail{5, 12} : FarDetail{3.9, 4.5};
+    return compares_scales ? FarDetail{4.5, 12} : FarDetail{3.9, 4.5};
   }
 
   /// The scratch memory of closed forms.

@@ -18,7 +18,49 @@ namespace integral_invariant {
 
 inline constexpr std::size_t kernel_lanes = 8;
 
-inline double sum_of_lanes(const double* lane)
+/// As many numbers, with + − · lane by lane and with a scalar, for loops that a compiler does not turn into vectors by
+/// itself. Not for template arguments, which lose the alignment that all clones must agree on.
+#if defined(__GNUC__)
+using Lanes = double
+    __attribute__((vector_size(kernel_lanes * sizeof(double)), aligned(kernel_lanes * sizeof(double))));
+#else
+struct alignas(kernel_lanes * sizeof(double)) Lanes {
+  double lane[kernel_lanes] = {};
+
+  double& operator[](std::size_t j) { return lane[j]; }
+  double operator[](std::size_t j) const { return lane[j]; }
+  template <class Operation>
+  static Lanes each(const Operation& operation)
+  {
+    Lanes result;
+    for (std::size_t j = 0; j < kernel_lanes; ++j) result[j] = operation(j);
+    return result;
+  }
+  friend Lanes operator+(const Lanes& a, const Lanes& b)
+  {
+    return each([&](std::size_t j) { return a[j] + b[j]; });
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b)
+  {
+    return each([&](std::size_t j) { return a[j] - b[j]; });
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b)
+  {
+    return each([&](std::size_t j) { return a[j] * b[j]; });
+  }
+  friend Lanes operator*(const Lanes& a, double b)
+  {
+    return each([&](std::size_t j) { return a[j] * b; });
+  }
+  Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
+  Lanes& operator-=(const Lanes& b) { return *this = *this - b; }
+  Lanes& operator*=(const Lanes& b) { return *this = *this * b; }
+};
+#endif
+
+/// Of a Lanes or an array.
+template <class Lane>
+double sum_of_lanes(const Lane& lane)
 {
   return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
 }
