@@ -51,7 +51,8 @@ struct Setting {
   {
     for (std::size_t place = 0; place < places.size() * radii.size(); ++place)
       s.noise[place] = float(disc_variance::mean_curvature * noise_density / std::pow(radii[place % radii.size()], 6));
-    return run_scale_chain(s, {radii, balls, least_radius, pools, predict}, execution);
+    const ScaleEvidence evidence{radii, balls, least_radius, pools, predict};
+    return ScaleChain(evidence, execution).run(s);
   }
   ChainResult run(Signal&& s, double noise_density) { return run(s, noise_density); }
 

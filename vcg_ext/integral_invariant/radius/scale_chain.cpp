@@ -31,13 +31,12 @@ struct State {
   double log_radius = 0;
 };
 
-class Chain {
+}  // namespace
+
+class ScaleChain::Filter {
  public:
-  Chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution)
-      : signal_(signal),
-        strands_(strand_count(signal.components, signal.evidence)),
-        of_each_(signal.components / strands_),
-        e_(evidence),
+  Filter(const ScaleEvidence& evidence, Execution& execution)
+      : e_(evidence),
         execution_(execution),
         n_(evidence.least_radius.size()),
         scales_(evidence.radii.size()),
@@ -48,8 +47,11 @@ class Chain {
     resize_in_steps(sums_, n_, execution);
   }
 
-  ChainResult run()
+  ChainResult run(const Signal& signal)
   {
+    signal_ = &signal;
+    strands_ = strand_count(signal.components, signal.evidence);
+    of_each_ = signal.components / strands_;
     for (int i = int(scales_) - 1; i >= 0; --i) {
       start_at(i);
       if (i == int(scales_) - 1) continue;
@@ -69,10 +71,10 @@ class Chain {
   bool is_measured(std::size_t v, int i) const { return e_.balls.origin[v * scales_ + std::size_t(i)] != Origin::none; }
   Pair difference(std::size_t v, int i) const
   {
-    const auto &a = signal_.values[v * scales_ + std::size_t(i)], &b = signal_.values[v * scales_ + std::size_t(i) + 1];
+    const auto &a = signal_->values[v * scales_ + std::size_t(i)], &b = signal_->values[v * scales_ + std::size_t(i) + 1];
     return {double(a[0]) - double(b[0]), double(a[1]) - double(b[1])};
   }
-  double noise_of(std::size_t v, int i) const { return double(signal_.noise[v * scales_ + std::size_t(i)]); }
+  double noise_of(std::size_t v, int i) const { return double(signal_->noise[v * scales_ + std::size_t(i)]); }
   /// Of the difference between scale i and the next; a little of it at least, where one of them is a fit of its own
   /// kind.
   double noise_between(std::size_t v, int i) const
@@ -96,13 +98,14 @@ class Chain {
 
   void start_at(int i)
   {
+    const double log_radius = std::log(e_.radii[std::size_t(i)]);
     for_each_index(n_, execution_, [&](std::size_t v) {
       if (e_.balls.largest[v] != i) return;
-      const auto& y = signal_.values[v * scales_ + std::size_t(i)];
+      const auto& y = signal_->values[v * scales_ + std::size_t(i)];
       State state;
       state.value = {double(y[0]), double(y[1])};
       for (Strand& strand : state.strands) strand.variance = noise_of(v, i);
-      state.log_radius = std::log(e_.radii[std::size_t(i)]);
+      state.log_radius = log_radius;
       states_[v] = state;
     });
   }
@@ -124,7 +127,7 @@ class Chain {
     const double square_law = gap(i) / gap(i + 1), sharing = e_.radii[std::size_t(i)] * e_.radii[std::size_t(i)];
     for_each_index(n_, execution_, [&](std::size_t v) {
       const auto& [product, square, fourth_power, count] = sums_[v];
-      const double noise = signal_.components * noise_between(v, i), doubt = doubt_share * sharing * noise;
+      const double noise = signal_->components * noise_between(v, i), doubt = doubt_share * sharing * noise;
       if (square + doubt > 0)
         slope_[v] = std::clamp((product + doubt * square_law) / (square + doubt), 0.0,
                                square_law * steepness(square, fourth_power, count, noise));
@@ -155,17 +158,19 @@ class Chain {
       for (int k = 0; k < strands_; ++k) sums_[v][2 + k] = std::min(energy(v, k) / noise, largest_energy);
     });
     e_.pools[std::size_t(i)].sum_around(sums_, execution_);
+    const double log_step = std::log(e_.radii[std::size_t(i) + 1] / e_.radii[std::size_t(i)]);
     for_each_index(n_, execution_, [&](std::size_t v) {
       if (i >= e_.balls.largest[v]) return;
       for (int k = 0; k < strands_; ++k) {
         const double mean = sums_[v][0] > 0 ? std::max(0.0, (sums_[v][2 + k] - sums_[v][1]) / sums_[v][0]) : 0;
-        update_strand(v, i, k, mean);
+        const double weight = update_strand(v, i, k, mean);
+        if (k == 0) states_[v].log_radius -= weight * log_step;
       }
     });
   }
 
-  /// `shape`: P by the neighbourhood's average.
-  void update_strand(std::size_t v, int i, int k, double shape)
+  /// `shape`: P by the neighbourhood's average. Returns the weight.
+  double update_strand(std::size_t v, int i, int k, double shape)
   {
     Strand& s = states_[v].strands[k];
     const double noise = noise_between(v, i);
@@ -185,8 +190,8 @@ class Chain {
       state.detail[c] = slope_[v] * state.detail[c] + weight * (says_nothing ? 0 : innovation_[v][c]);
       state.value[c] += state.detail[c];
     }
-    if (k == 0) state.log_radius -= weight * std::log(e_.radii[std::size_t(i) + 1] / e_.radii[std::size_t(i)]);
     add_uncertainty(s, weight, shape, noise, slope_[v]);
+    return weight;
   }
 
   /// Shape under the noise does not show: it is taken to be as large as could have hidden, but to fall with the scale.
@@ -224,8 +229,8 @@ class Chain {
     return result;
   }
 
-  const Signal& signal_;
-  const int strands_, of_each_;  ///< and components of each of them
+  const Signal* signal_ = nullptr;
+  int strands_ = 0, of_each_ = 0;  ///< and components of each of them
   const ScaleEvidence& e_;
   Execution& execution_;
   const std::size_t n_, scales_;
@@ -235,11 +240,13 @@ class Chain {
   std::vector<std::array<double, 4>> sums_;  ///< over the neighbourhood
 };
 
-}  // namespace
-
-ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution)
+ScaleChain::ScaleChain(const ScaleEvidence& evidence, Execution& execution)
+    : filter_(std::make_unique<Filter>(evidence, execution))
 {
-  return Chain(signal, evidence, execution).run();
 }
+
+ScaleChain::~ScaleChain() = default;
+
+ChainResult ScaleChain::run(const Signal& signal) { return filter_->run(signal); }
 
 }  // namespace integral_invariant

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "integral_invariant/radius/whole_balls.h"
@@ -53,7 +54,18 @@ struct ChainResult {
 /// the bumps), is a regression over the neighbourhood; w_i = P/(P + N) with N the noise's variance and P the mean
 /// square of the innovations over the neighbourhood less N. Where a scale shows nothing but noise P is 0 and nothing
 /// is added; where it shows shape w is 1 and the larger scales cancel. Below the smallest scale the bias is
-/// extrapolated as r². Cost O(n · scales), about 0.1 µs a vertex and scale.
-ChainResult run_scale_chain(const Signal& signal, const ScaleEvidence& evidence, Execution& execution);
+/// extrapolated as r².
+class ScaleChain {
+ public:
+  ScaleChain(const ScaleEvidence& evidence, Execution& execution);
+  ~ScaleChain();
+
+  /// Cost O(n · scales), about 0.1 µs a vertex and scale; scratch memory is kept for the next signal. \throw Cancelled
+  ChainResult run(const Signal& signal);
+
+ private:
+  class Filter;
+  std::unique_ptr<Filter> filter_;
+};
 
 }  // namespace integral_invariant

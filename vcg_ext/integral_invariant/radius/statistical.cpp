@@ -97,6 +97,23 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
   return s;
 }
 
+struct ChainResults {
+  ChainResult mean, deviator, normal;
+};
+
+ChainResults run_chains(const Signals& signals, const ScaleEvidence& evidence, Execution& execution)
+{
+  ScaleChain chain(evidence, execution);
+  ChainResults results;
+  results.mean = chain.run(signals.mean);
+  execution.report(0.65);
+  results.deviator = chain.run(signals.deviator);
+  execution.report(0.8);
+  results.normal = chain.run(signals.normal);
+  execution.report(0.95);
+  return results;
+}
+
 struct FittedSignals {
   FittedSignal mean, deviator, normal;
 };
@@ -208,13 +225,7 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
     execution.report(0.3 + 0.2 * double(i) / double(radii.size()));
   }
   const ScaleEvidence evidence{radii, balls, least_radius, pools, removes_bias};
-  ChainResult mean = run_scale_chain(signals.mean, evidence, execution);
-  execution.report(0.65);
-  ChainResult deviator = run_scale_chain(signals.deviator, evidence, execution);
-  execution.report(0.8);
-  ChainResult normal = run_scale_chain(signals.normal, evidence, execution);
-  execution.report(0.95);
-
+  auto [mean, deviator, normal] = run_chains(signals, evidence, execution);
   if (removes_bias) {
     const FittedSignals fitted = make_fitted_signals(surface, fits, frames, noise, execution);
     add_vertex_step(fitted.mean, pools.front(), mean, execution);
@@ -232,7 +243,7 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
     const double variance = std::max(0.0, mean.variance[v][0] + deviator.variance[v][0]);
     result.standard_error[v] = std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v]));
   });
-  result.radius = mean.radius;
+  result.radius = std::move(mean.radius);
   return result;
 }
 
