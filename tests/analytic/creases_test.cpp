@@ -38,7 +38,7 @@ Creases creases_of(const Surface& surface, double sigma)
   Noise noise;
   noise.sigma.assign(surface.vertex_count(), sigma);
   noise.density.assign(surface.vertex_count(), area_each * sigma * sigma);
-  return find_creases(surface, tensors, fit_vertices(surface, tensors, execution), noise, execution);
+  return find_creases(surface, tensors, fit_vertices(surface, tensors, execution), noise, {}, execution);
 }
 
 /// Distance of a point of the unit box to the nearest edge of it.

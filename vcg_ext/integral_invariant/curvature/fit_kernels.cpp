@@ -18,7 +18,8 @@ void write_monomials(HeightPlaces& places, int degree)
     for (std::size_t j = 0; j < lanes; ++j) places.monomial[0][group][j] = 1;
     int before = 0, here = 1;
     for (int d = 1; d <= degree; ++d) {
-      for (int i = 0; i < d; ++i) places.monomial[here + i][group] = places.monomial[before + i][group] * places.x[group];
+      for (int i = 0; i < d; ++i)
+        places.monomial[here + i][group] = places.monomial[before + i][group] * places.x[group];
       places.monomial[here + d][group] = places.monomial[here - 1][group] * places.y[group];
       before = here;
       here += d + 1;
@@ -83,7 +84,7 @@ void add_to_quadric_sums(const PlaceColumns& places, HeightSums& sums)
   for (std::size_t first = 0; first < places.count; first += lanes) {
     const PlaceColumns::Group& group = places.groups[first / lanes];
     const Lanes &a = group.x, &b = group.y, &h = group.height, aa = a * a, ab = a * b, bb = b * b;
-    const Lanes of_place[powers] = {{},     a,      b,      aa,      ab,      bb,      aa * a, aa * b,
+    const Lanes of_place[powers] = {{},     a,      b,       aa,      ab,      bb,      aa * a, aa * b,
                                     a * bb, bb * b, aa * aa, aa * ab, aa * bb, ab * bb, bb * bb};
     for (std::size_t k = 1; k < powers; ++k) power[k] += of_place[k];
     with_height[0] += h;
@@ -156,8 +157,7 @@ FitQuality fit_quality(const HeightPlaces& places, int count, int last, const He
   quality.squares = sum_of_lanes(squares);
   quality.freedom = sum_of_lanes(freedom);
   quality.last_freedom = sum_of_lanes(last_freedom);
-  for (int i = last; i < count; ++i)
-    quality.last_squares += whitened.rows[i][0] * whitened.rows[i][0];
+  for (int i = last; i < count; ++i) quality.last_squares += whitened.rows[i][0] * whitened.rows[i][0];
   for (std::size_t k = 0; k < parts; ++k) quality.variance[k] = sum_of_lanes(variance[k]);
   return quality;
 }

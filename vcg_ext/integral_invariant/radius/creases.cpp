@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "integral_invariant/curvature/offset_free.h"
+#include "integral_invariant/radius/whole_balls.h"
 
 namespace integral_invariant {
 
 namespace {
-
-constexpr double least_confidence = 0.95;
 
 bool is_fold(std::size_t v, int scale, const TensorField& tensors, const Noise& noise)
 {
@@ -66,7 +65,7 @@ std::vector<float> distances(const Surface& surface, const std::vector<char>& is
 }  // namespace
 
 Creases find_creases(const Surface& surface, const TensorField& tensors, const std::vector<VertexFit>& fits,
-                     const Noise& noise, Execution& execution)
+                     const Noise& noise, const std::vector<char>& is_smooth, Execution& execution)
 {
   // Smaller balls see few triangles; in larger ones smooth parts of the same size look the same.
   constexpr double smallest_radius = 2, largest_radius = 4;
@@ -79,7 +78,8 @@ Creases find_creases(const Surface& surface, const TensorField& tensors, const s
   creases.scale = int(scale);
   creases.is_crease.assign(surface.vertex_count(), 0);
   for_each_index(creases.is_crease.size(), execution, [&](std::size_t v) {
-    creases.is_crease[v] = is_fold(v, int(scale), tensors, noise) && !is_polynomial(fits[v]);
+    creases.is_crease[v] =
+        (is_smooth.empty() || !is_smooth[v]) && is_fold(v, int(scale), tensors, noise) && !is_polynomial(fits[v]);
   });
   if (std::find(creases.is_crease.begin(), creases.is_crease.end(), 1) == creases.is_crease.end()) return {};
   creases.distance = distances(surface, creases.is_crease, radii.back(), execution);

@@ -71,7 +71,8 @@ class ScaleChain::Filter {
   bool is_measured(std::size_t v, int i) const { return e_.balls.origin[v * scales_ + std::size_t(i)] != Origin::none; }
   Pair difference(std::size_t v, int i) const
   {
-    const auto &a = signal_->values[v * scales_ + std::size_t(i)], &b = signal_->values[v * scales_ + std::size_t(i) + 1];
+    const auto &a = signal_->values[v * scales_ + std::size_t(i)],
+               &b = signal_->values[v * scales_ + std::size_t(i) + 1];
     return {double(a[0]) - double(b[0]), double(a[1]) - double(b[1])};
   }
   double noise_of(std::size_t v, int i) const { return double(signal_->noise[v * scales_ + std::size_t(i)]); }

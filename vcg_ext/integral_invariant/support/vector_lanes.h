@@ -21,8 +21,8 @@ inline constexpr std::size_t kernel_lanes = 8;
 /// As many numbers, with + − · lane by lane and with a scalar, for loops that a compiler does not turn into vectors by
 /// itself. Not for template arguments, which lose the alignment that all clones must agree on.
 #if defined(__GNUC__)
-using Lanes = double
-    __attribute__((vector_size(kernel_lanes * sizeof(double)), aligned(kernel_lanes * sizeof(double))));
+using Lanes =
+    double __attribute__((vector_size(kernel_lanes * sizeof(double)), aligned(kernel_lanes * sizeof(double))));
 #else
 struct alignas(kernel_lanes * sizeof(double)) Lanes {
   double lane[kernel_lanes] = {};
