@@ -179,6 +179,36 @@ TEST(Statistical, FlatFacesBesideACreaseStayFlatUnderNoise)
   EXPECT_LT(sum / count * edge, 0.004);
 }
 
+// The other side of a wall cuts small balls by less than the noise can show, and thin walls have no smaller ones.
+TEST(Statistical, BothSidesOfAThinWallKeepTheirCurvatureUnderNoise)
+{
+  const TriangleMesh outside = icosphere(5);
+  const std::size_t n = outside.positions.size();
+  const double edge = average_edge_length(outside);
+  const struct {
+    EngineKind engine;
+    double wall, sigma;  // edges
+  } cases[] = {{EngineKind::surface_integral, 1, 0.1},   {EngineKind::surface_integral, 1.4, 0.1},
+               {EngineKind::surface_integral, 2, 0.3},   {EngineKind::surface_integral, 3, 0.1},
+               {EngineKind::surface_integral, 4.5, 0.3}, {EngineKind::volume_fft, 3, 0.3}};
+  for (const auto& [engine, wall, sigma] : cases) {
+    const double inner_radius = 1 - wall * edge;
+    const TriangleMesh inside = flipped(rotated(icosphere(5, inner_radius), {0, 0, 1}, 0.3));
+    const auto noisy = [&, sigma = sigma](const TriangleMesh& mesh, std::uint32_t seed) {
+      return with_normal_noise(with_tangential_jitter(mesh, 0.2 * edge), sigma * edge, seed);
+    };
+    Parameters p = statistical();
+    p.engine = engine;
+    const Result r = compute_curvature(joined(noisy(outside, 1), noisy(inside, 7)), p);
+    double error = 0;
+    for (std::size_t v = 0; v < 2 * n; ++v) {
+      const double kappa = v < n ? 1 : -1 / inner_radius;
+      error += (std::abs(r.kappa_max[v] - kappa) + std::abs(r.kappa_min[v] - kappa)) / std::abs(kappa);
+    }
+    EXPECT_LT(error / (4 * double(n)), 0.07) << "wall " << wall << " noise " << sigma;
+  }
+}
+
 TEST(Statistical, ScalesWithTheMesh)
 {
   const Result one = compute_curvature(noisy_sphere(0.1), statistical());

@@ -162,8 +162,7 @@ std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>&
 {
   const std::vector<double>& radii = tensors.radii();
   const std::size_t n = surface.vertex_count();
-  const std::size_t scale =
-      std::size_t(std::lower_bound(radii.begin(), radii.end(), least_fit_radius) - radii.begin());
+  const std::size_t scale = std::size_t(std::lower_bound(radii.begin(), radii.end(), least_fit_radius) - radii.begin());
   if (scale == radii.size()) return {};
   std::vector<std::uint32_t> beside_others;
   for_each_in_order(n, execution, [&](std::size_t v) {
@@ -181,9 +180,8 @@ std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>&
       const std::uint32_t v = beside_others[i];
       fitter.start_disc(v, normals[v]);
       const VertexFit fit = fitter.grow_disc(radii[scale]);
-      is_smooth[v] =
-          is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
-          !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(variance_of(fit), noise.sigma[v]));
+      is_smooth[v] = is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
+                     !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(variance_of(fit), noise.sigma[v]));
     }
   });
   return is_smooth;

@@ -225,12 +225,12 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
     execution.report(0.3 + 0.2 * double(i) / double(radii.size()));
   }
   const ScaleEvidence evidence{radii, balls, least_radius, pools, removes_bias};
-  auto [mean, deviator, normal] = run_chains(signals, evidence, execution);
+  ChainResults chains = run_chains(signals, evidence, execution);
   if (removes_bias) {
     const FittedSignals fitted = make_fitted_signals(surface, fits, frames, noise, execution);
-    add_vertex_step(fitted.mean, pools.front(), mean, execution);
-    add_vertex_step(fitted.deviator, pools.front(), deviator, execution);
-    add_vertex_step(fitted.normal, pools.front(), normal, execution);
+    add_vertex_step(fitted.mean, pools.front(), chains.mean, execution);
+    add_vertex_step(fitted.deviator, pools.front(), chains.deviator, execution);
+    add_vertex_step(fitted.normal, pools.front(), chains.normal, execution);
   }
   // Measured: variances are first order in the noise; slopes of strong noise make the errors larger.
   constexpr double second_order = 1.5;
@@ -238,12 +238,12 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   resize_in_steps(result.tensor, n, execution);
   resize_in_steps(result.standard_error, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
-    result.tensor[v] = assemble(frames[v], mean.value[v][0], deviator.value[v], normal.value[v]);
+    result.tensor[v] = assemble(frames[v], chains.mean.value[v][0], chains.deviator.value[v], chains.normal.value[v]);
     result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
-    const double variance = std::max(0.0, mean.variance[v][0] + deviator.variance[v][0]);
+    const double variance = std::max(0.0, chains.mean.variance[v][0] + chains.deviator.variance[v][0]);
     result.standard_error[v] = std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v]));
   });
-  result.radius = std::move(mean.radius);
+  result.radius = std::move(chains.mean.radius);
   return result;
 }
 
