@@ -62,7 +62,12 @@ void print_row(const char* settings, const Parameters& parameters, double millio
 int main(int argc, char** argv)
 {
   std::vector<double> sizes;
-  for (int i = 1; i < argc; ++i) sizes.push_back(std::atof(argv[i]));
+  for (int i = 1; i < argc; ++i) {
+    sizes.push_back(std::atof(argv[i]));
+    if (sizes.back() > 0) continue;
+    std::fprintf(stderr, "usage: big_meshes [million vertices ...]\n");
+    return EXIT_FAILURE;
+  }
   if (sizes.empty()) sizes = {0.1, 1, 5, 10};
   Parameters published = published_method();
   published.scales = 8;
