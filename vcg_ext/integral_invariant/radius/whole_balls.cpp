@@ -38,7 +38,7 @@ void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorFie
     if (std::abs(double(offsets[i])) > of_noise + of_shape) sheet = std::min(sheet, i);
     if (t.confidence >= least_confidence && sheet == radii.size()) balls.origin[v * radii.size() + i] = Origin::own;
   }
-  // It is half a ball away at least, and cuts smaller ones unseen.
+  // It shows late: it may be nearer by this factor, and cut what lies between unseen.
   constexpr double unseen_share = 2.3;
   for (std::size_t i = 0; i < sheet && sheet < radii.size(); ++i) {
     Origin& origin = balls.origin[v * radii.size() + i];
@@ -120,6 +120,7 @@ WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& of
           find_own_balls(v, &offsets[v * scales], noise.sigma[v], tensors, balls);
       },
       0.1, 0.12);
+  // Those that the fits had are gone: they would stand in the peak of memory, and closed, smooth meshes need none here.
   std::vector<Vec3> normals;
   if (std::any_of(balls.origin.begin(), balls.origin.end(), [](Origin origin) { return origin != Origin::own; }))
     normals = patch_normals(surface, execution);
