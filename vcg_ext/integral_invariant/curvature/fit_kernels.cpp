@@ -133,7 +133,7 @@ II_VECTOR_CLONES
 FitQuality fit_quality(const HeightPlaces& places, int count, int last, const HeightMatrix& factor,
                        const WhitenedColumns& whitened)
 {
-  constexpr std::size_t most = coefficient_count(largest_degree), parts = height_part_count;
+  constexpr std::size_t most = coefficient_count(largest_degree), parts = 5;
   Lanes squares{}, freedom{}, last_freedom{}, variance[parts] = {};
   for (std::size_t group = 0; group < places.groups; ++group) {
     // z = U⁻ᵀ m, column by column, and its products as the columns are done.
@@ -142,9 +142,9 @@ FitQuality fit_quality(const HeightPlaces& places, int count, int last, const He
     for (int i = 0; i < count; ++i) {
       if (i == last) below = leverage;
       const Lanes done = z[i] * factor.at(i, i), &of = whitened.rows[i];
-      fitted += done * of[heights_column];
+      fitted += done * of[0];
       leverage += done * done;
-      for (std::size_t k = 0; k < parts; ++k) influence[k] += done * of[part_column(k)];
+      for (std::size_t k = 0; k < parts; ++k) influence[k] += done * of[k + 1];
       for (int k = i + 1; k < count; ++k) z[k] -= done * factor.at(i, k);
     }
     const Lanes &w = places.weight[group], off = places.height[group] - fitted;
@@ -157,8 +157,7 @@ FitQuality fit_quality(const HeightPlaces& places, int count, int last, const He
   quality.squares = sum_of_lanes(squares);
   quality.freedom = sum_of_lanes(freedom);
   quality.last_freedom = sum_of_lanes(last_freedom);
-  for (int i = last; i < count; ++i)
-    quality.last_squares += whitened.rows[i][heights_column] * whitened.rows[i][heights_column];
+  for (int i = last; i < count; ++i) quality.last_squares += whitened.rows[i][0] * whitened.rows[i][0];
   for (std::size_t k = 0; k < parts; ++k) quality.variance[k] = sum_of_lanes(variance[k]);
   return quality;
 }

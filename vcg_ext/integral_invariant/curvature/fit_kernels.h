@@ -15,10 +15,6 @@ inline constexpr int largest_degree = 4;
 constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 2) / 2; }
 using Coefficients = std::array<double, coefficient_count(largest_degree)>;
 
-/// What the curvature of a level graph is made of, linear in the coefficients: H, the components of K − H I, the
-/// slopes.
-enum HeightPart { mean_part, deviator_a_part, deviator_b_part, slope_x_part, slope_y_part, height_part_count };
-
 /// All that a least squares polynomial depends on, of weighted places (x, y) with heights h.
 struct HeightSums {
   std::array<double, coefficient_count(2 * largest_degree)> powers{};  ///< Σ w m, m up to twice the fit's degree
@@ -79,13 +75,10 @@ struct HeightMatrix {
   Lanes rows[coefficient_count(largest_degree)][groups] = {};
 };
 
-/// Right sides b, and then U⁻ᵀ b, a lane each: AᵀW h, then the parts.
+/// Right sides b, and then U⁻ᵀ b, a lane each.
 struct WhitenedColumns {
   Lanes rows[coefficient_count(largest_degree)] = {};
 };
-inline constexpr std::size_t heights_column = 0;
-constexpr std::size_t part_column(std::size_t part) { return 1 + part; }
-static_assert(part_column(height_part_count) <= kernel_lanes, "a column a lane");
 
 /// Factors as many of the first `count` rows as the places determine, and returns that number.
 int factor_as_far_as_determined(HeightMatrix& a, int count);
@@ -93,14 +86,15 @@ void whiten(const HeightMatrix& factor, int count, WhitenedColumns& columns);
 
 /// What a fit leaves over, and how it answers to noise.
 struct FitQuality {
-  double squares = 0;       ///< Σ w off²
-  double freedom = 0;       ///< E Σ w off² = σ² · freedom: Σ w − w² mᵀ(AᵀWA)⁻¹m
-  double last_squares = 0;  ///< Σ w h² of the terms of the highest degree alone
-  double last_freedom = 0;  ///< what noise makes of it, over σ²
-  std::array<double, height_part_count> variance{};  ///< of each part, Σ (w mᵀ(AᵀWA)⁻¹ part)²
+  double squares = 0;                ///< Σ w off²
+  double freedom = 0;                ///< E Σ w off² = σ² · freedom: Σ w − w² mᵀ(AᵀWA)⁻¹m
+  double last_squares = 0;           ///< Σ w h² of the terms of the highest degree alone
+  double last_freedom = 0;           ///< what noise makes of it, over σ²
+  std::array<double, 5> variance{};  ///< of each part, Σ (w mᵀ(AᵀWA)⁻¹ part)²
 };
 
 /// \param count coefficients \param last the first monomial of the highest degree
+/// \param whitened columns of AᵀW h and of the parts
 FitQuality fit_quality(const HeightPlaces& places, int count, int last, const HeightMatrix& factor,
                        const WhitenedColumns& whitened);
 

@@ -25,11 +25,14 @@ void set_normal_matrix(const HeightSums& sums, int degree, HeightMatrix& a)
     }
 }
 
+constexpr std::size_t heights_column = 0, first_part_column = 1;
+static_assert(first_part_column + height_part_count <= kernel_lanes, "a column a lane");
+
 void set_right_sides(const HeightSums& sums, int count, WhitenedColumns& columns)
 {
   for (int i = 0; i < count; ++i) columns.rows[i][heights_column] = sums.heights[std::size_t(i)];
   const auto set_part = [&](int monomial, HeightPart part, double value) {
-    columns.rows[monomial][part_column(part)] = value;
+    columns.rows[monomial][first_part_column + part] = value;
   };
   constexpr int x = place_of(1, 0), y = place_of(1, 1), xx = place_of(2, 0), xy = place_of(2, 1), yy = place_of(2, 2);
   set_part(x, slope_x_part, 1);
@@ -65,14 +68,23 @@ Coefficients HeightFit::coefficients() const
   return c;
 }
 
-double HeightFit::squares() const { return std::max(0.0, sum_of_squares_ - squared_norm(heights_column)); }
+double HeightFit::squares() const
+{
+  double explained = 0;
+  for (int i = 0; i < coefficient_count(degree_); ++i) {
+    const double z = whitened_.rows[i][heights_column];
+    explained += z * z;
+  }
+  return std::max(0.0, sum_of_squares_ - explained);
+}
 
-double HeightFit::variance(HeightPart part) const { return squared_norm(part_column(part)); }
-
-double HeightFit::squared_norm(std::size_t column) const
+double HeightFit::variance(HeightPart part) const
 {
   double sum = 0;
-  for (int i = 0; i < coefficient_count(degree_); ++i) sum += whitened_.rows[i][column] * whitened_.rows[i][column];
+  for (int i = 0; i < coefficient_count(degree_); ++i) {
+    const double z = whitened_.rows[i][first_part_column + part];
+    sum += z * z;
+  }
   return sum;
 }
 

@@ -2,10 +2,17 @@
 // Stage 2: least squares fit of a height over a tangent plane by a polynomial, and the curvature of the graph.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "integral_invariant/curvature/fit_kernels.h"
 #include "integral_invariant/curvature/tensor.h"
 
 namespace integral_invariant {
+
+/// What the curvature of a level graph is made of, linear in the coefficients: H, the components of K − H I, the
+/// slopes.
+enum HeightPart { mean_part, deviator_a_part, deviator_b_part, slope_x_part, slope_y_part, height_part_count };
 
 /// Least squares polynomial.
 class HeightFit {
@@ -24,12 +31,10 @@ class HeightFit {
   FitQuality quality(const HeightPlaces& places) const;
 
  private:
-  double squared_norm(std::size_t column) const;
-
   int degree_;
   double sum_of_squares_;
   HeightMatrix factor_;
-  WhitenedColumns whitened_;
+  WhitenedColumns whitened_;  ///< of the heights, then of the parts
 };
 
 /// Orthonormal frame in which heights are measured along `normal`.
