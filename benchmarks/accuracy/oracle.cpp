@@ -9,6 +9,7 @@
 
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/offset_free.h"
+#include "integral_invariant/curvature/tangent_frame.h"
 #include "integral_invariant/curvature/vertex_fit.h"
 #include "integral_invariant/moments/engine.h"
 #include "integral_invariant/radius/noise.h"
@@ -22,14 +23,6 @@ namespace {
 
 /// Mean curvature and deviator in the true tangent frame, normalised unit.
 using Components = std::array<double, 3>;
-
-Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
-{
-  const double cosine = dot(from, to);
-  if (cosine < -0.99) return a;
-  const Vec3 axis = cross(from, to), once = cross(axis, a);
-  return a + once + cross(axis, once) * (1 / (1 + cosine));
-}
 
 Components components_of(const CurvatureTensor& t, const Vec3& normal, const Vec3& u)
 {

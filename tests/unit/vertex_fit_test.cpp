@@ -107,6 +107,71 @@ TEST(VertexFit, ShapeFallsFromDegreeToDegree)
   EXPECT_GT(fit.last_terms, 10 * fit.residual);
 }
 
+TEST(VertexFit, FinestIsExactUpToDegreeSix)
+{
+  const Surface surface(graph(8, [](double x, double y) {
+    return -0.2 * x * x + 0.1 * y * y + 0.1 * x * x * x * y + 0.02 * std::pow(x, 6) - 0.03 * x * x * std::pow(y, 4);
+  }));
+  VertexFitter fitter(surface);
+  const std::size_t v = centre_of(surface);
+  const VertexFit usual = fitter.nearest(v, {0, 0, 1}), finest = fitter.finest(v, usual);
+  EXPECT_GT(std::abs(usual.tensor.k.trace() / surface.unit() - 0.2), 1e-5);
+  EXPECT_NEAR(finest.tensor.k.trace() / surface.unit(), 0.2, 1e-7);
+  EXPECT_LT(standard_error(finest), 1e-3 * standard_error(usual));
+}
+
+TEST(VertexFit, FinestTakesOneSideWhereTheCurvatureJumpsButNotAcrossAFold)
+{
+  const auto error_beside = [](const std::function<double(double)>& profile, double k) {
+    const Surface surface(graph(10, [&](double x, double) { return profile(x); }));
+    VertexFitter fitter(surface);
+    const std::size_t v = centre_of(surface);
+    return std::abs(fitter.finest(v, fitter.nearest(v, {0, 0, 1})).tensor.k.trace() / surface.unit() - k);
+  };
+  constexpr double seam = 0.1, k = 0.2;  // a third of an edge beside the vertex
+  EXPECT_LT(error_beside([&](double x) { return x > seam ? -k / 2 * (x - seam) * (x - seam) : 0; }, 0), 1e-6);
+  EXPECT_GT(error_beside([&](double x) { return x > seam ? -k * (x - seam) : 0; }, 0), 0.03) << "a fold is an edge";
+}
+
+TEST(VertexFit, CovarianceOfADiscIsThatOfItsCurvatures)
+{
+  // At a boundary, where a quadric hardly tells the curvature across it.
+  const double sigma = 0.02;
+  const Vec3 axis = normalized({0.8, 0.6, 0});
+  double squares[3] = {}, products[3] = {}, count = 0;
+  Symmetric3 covariance;
+  const Surface smooth(graph(12, [](double, double) { return 0.0; }));
+  const std::size_t v = centre_of(smooth) + 12;
+  std::mt19937 generator(7);
+  std::normal_distribution<double> gauss(0, 1);
+  for (int run = 0; run < 2000; ++run) {
+    TriangleMesh mesh;
+    mesh.positions = smooth.positions();
+    for (Vec3& p : mesh.positions) p.z = sigma * gauss(generator);
+    mesh.triangles.assign(smooth.triangles().begin(), smooth.triangles().end());
+    const Surface surface(mesh);
+    VertexFitter fitter(surface);
+    fitter.start_disc(v, {0, 0, 1});
+    const CurvatureTensor t = fitter.grow_disc(4).tensor;
+    const Vec3 u = normalized(axis - t.normal * dot(axis, t.normal)), w = cross(t.normal, u);
+    const double uu = quadratic_form(t.k, u), ww = quadratic_form(t.k, w), uw = dot(u, t.k * w);
+    const double parts[] = {(uu + ww) / 2, (uu - ww) / 2, uw};
+    for (int i = 0; i < 3; ++i) {
+      squares[i] += parts[i] * parts[i];
+      products[i] += parts[i] * parts[(i + 1) % 3];
+    }
+    covariance += fitter.disc_covariance(axis) * (sigma * sigma / (surface.unit() * surface.unit()));
+    ++count;
+  }
+  const double expected[] = {covariance.xx, covariance.yy, covariance.zz};
+  const double mixed[] = {covariance.xy, covariance.yz, covariance.xz};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(squares[i] / expected[i], 1, 0.1) << i;
+    EXPECT_NEAR(products[i] / mixed[i], 1, 0.15) << i;
+  }
+  EXPECT_GT(std::abs(covariance.xy), 0.1 * covariance.xx) << "or nothing was tested";
+}
+
 TEST(VertexFit, DiscsFitAQuadricExactlyWithAllOfTheDiscOrHalf)
 {
   const Surface surface(graph(12, [](double x, double y) { return -0.02 * x * x + 0.01 * y * y; }));

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t lanes = kernel_lanes;
 
+constexpr int groups_of(int count) { return (count + int(lanes) - 1) / int(lanes); }
+
 II_VECTOR_CLONES
 void write_monomials(HeightPlaces& places, int degree)
 {
@@ -42,7 +44,9 @@ HeightSums sums_of(const HeightPlaces& places, int degree)
 {
   // Σ over the lanes' groups of w m, a degree at a time, from those of the degree before; and of w m h.
   constexpr int degrees = 2 * largest_degree + 1;
-  Lanes powers[coefficient_count(2 * largest_degree)] = {}, heights[coefficient_count(largest_degree)] = {}, squares{};
+  Lanes powers[coefficient_count(2 * largest_degree)], heights[coefficient_count(largest_degree)], squares{};
+  for (int k = 0; k < coefficient_count(2 * degree); ++k) powers[k] = Lanes{};
+  for (int k = 0; k < coefficient_count(degree); ++k) heights[k] = Lanes{};
   for (std::size_t group = 0; group < places.groups; ++group) {
     const Lanes &x = places.x[group], &y = places.y[group], &h = places.height[group];
     Lanes weighted[degrees];
@@ -97,12 +101,23 @@ void add_to_quadric_sums(const PlaceColumns& places, HeightSums& sums)
   sums.squares += sum_of_lanes(squares);
 }
 
-II_VECTOR_CLONES
-int factor_as_far_as_determined(HeightMatrix& a, int count)
+HeightMatrix::HeightMatrix(int count)
 {
-  // What is left of a column when the others have explained it: with less, the places hardly tell it. An even disc
-  // leaves 0.05 of x⁴ and more of the others.
-  constexpr double least_share = 1e-3;
+  for (int i = 0; i < count; ++i)
+    for (int g = 0; g < groups_of(count); ++g) rows[i][g] = Lanes{};
+}
+
+WhitenedColumns::WhitenedColumns(int count)
+{
+  for (int i = 0; i < count; ++i) rows[i] = Lanes{};
+}
+
+namespace {
+
+/// \tparam groups of lanes in a row: the inner loops are as long as that
+template <int groups>
+II_INLINE int factor_rows(HeightMatrix& a, int count, double least_share)
+{
   double least[coefficient_count(largest_degree)];
   for (int i = 0; i < count; ++i) least[i] = least_share * a.at(i, i);
   for (int i = 0; i < count; ++i) {
@@ -110,13 +125,22 @@ int factor_as_far_as_determined(HeightMatrix& a, int count)
     const double inverse = 1 / std::sqrt(a.at(i, i));
     // Nobody reads what stands left of the diagonal.
     const int first = i / int(lanes);
-    Lanes scaled[HeightMatrix::groups];
-    for (int g = first; g < HeightMatrix::groups; ++g) a.rows[i][g] = scaled[g] = a.rows[i][g] * inverse;
+    Lanes scaled[groups];
+    for (int g = first; g < groups; ++g) a.rows[i][g] = scaled[g] = a.rows[i][g] * inverse;
     a.set(i, i, inverse);
     for (int j = i + 1; j < count; ++j)
-      for (int g = first; g < HeightMatrix::groups; ++g) a.rows[j][g] -= scaled[g] * a.at(i, j);
+      for (int g = first; g < groups; ++g) a.rows[j][g] -= scaled[g] * a.at(i, j);
   }
   return count;
+}
+
+}  // namespace
+
+II_VECTOR_CLONES
+int factor_as_far_as_determined(HeightMatrix& a, int count, double least_share)
+{
+  return groups_of(count) <= 2 ? factor_rows<2>(a, count, least_share)
+                               : factor_rows<HeightMatrix::most_groups>(a, count, least_share);
 }
 
 II_VECTOR_CLONES
@@ -133,7 +157,7 @@ II_VECTOR_CLONES
 FitQuality fit_quality(const HeightPlaces& places, int count, int last, const HeightMatrix& factor,
                        const WhitenedColumns& whitened)
 {
-  constexpr std::size_t most = coefficient_count(largest_degree), parts = 5;
+  constexpr std::size_t most = coefficient_count(largest_degree), parts = height_part_count;
   Lanes squares{}, freedom{}, last_freedom{}, variance[parts] = {};
   for (std::size_t group = 0; group < places.groups; ++group) {
     // z = U⁻ᵀ m, column by column, and its products as the columns are done.
@@ -142,9 +166,9 @@ FitQuality fit_quality(const HeightPlaces& places, int count, int last, const He
     for (int i = 0; i < count; ++i) {
       if (i == last) below = leverage;
       const Lanes done = z[i] * factor.at(i, i), &of = whitened.rows[i];
-      fitted += done * of[0];
+      fitted += done * of[heights_column];
       leverage += done * done;
-      for (std::size_t k = 0; k < parts; ++k) influence[k] += done * of[k + 1];
+      for (std::size_t k = 0; k < parts; ++k) influence[k] += done * of[part_column(k)];
       for (int k = i + 1; k < count; ++k) z[k] -= done * factor.at(i, k);
     }
     const Lanes &w = places.weight[group], off = places.height[group] - fitted;
@@ -157,7 +181,8 @@ FitQuality fit_quality(const HeightPlaces& places, int count, int last, const He
   quality.squares = sum_of_lanes(squares);
   quality.freedom = sum_of_lanes(freedom);
   quality.last_freedom = sum_of_lanes(last_freedom);
-  for (int i = last; i < count; ++i) quality.last_squares += whitened.rows[i][0] * whitened.rows[i][0];
+  for (int i = last; i < count; ++i)
+    quality.last_squares += whitened.rows[i][heights_column] * whitened.rows[i][heights_column];
   for (std::size_t k = 0; k < parts; ++k) quality.variance[k] = sum_of_lanes(variance[k]);
   return quality;
 }

@@ -11,9 +11,13 @@
 namespace integral_invariant {
 
 /// Monomials x^(d−i) y^i by degree: 1; x, y; x², xy, y²; ... A leading part of them makes a polynomial of lower degree.
-inline constexpr int largest_degree = 4;
+inline constexpr int largest_degree = 6;
 constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 2) / 2; }
 using Coefficients = std::array<double, coefficient_count(largest_degree)>;
+
+/// What the curvature of a level graph is made of, linear in the coefficients: H, the components of K − H I, the
+/// slopes.
+enum HeightPart { mean_part, deviator_a_part, deviator_b_part, slope_x_part, slope_y_part, height_part_count };
 
 /// All that a least squares polynomial depends on, of weighted places (x, y) with heights h.
 struct HeightSums {
@@ -24,7 +28,7 @@ struct HeightSums {
 
 /// Places of one fit, a lane each, filled up with places that weigh nothing.
 struct HeightPlaces {
-  static constexpr std::size_t most_groups = 3, capacity = most_groups * kernel_lanes;
+  static constexpr std::size_t most_groups = 5, capacity = most_groups * kernel_lanes;
 
   /// Forgets what was there; `count` places are to be set. \pre count ≤ capacity
   void resize(std::size_t count);
@@ -63,8 +67,11 @@ void add_to_quadric_sums(const PlaceColumns& places, HeightSums& sums);
 /// Rows of a symmetric matrix from the diagonal on; then of Cholesky's factor U, A = UᵀU, with the inverse of what is
 /// on the diagonal.
 struct HeightMatrix {
-  static constexpr int groups = 2;
-  static_assert(coefficient_count(largest_degree) <= groups * int(kernel_lanes), "a row holds all coefficients");
+  static constexpr int most_groups = 4;
+  static_assert(coefficient_count(largest_degree) <= most_groups * int(kernel_lanes), "a row holds all coefficients");
+
+  /// Zeros, of as many rows and columns; what is beyond them is nothing.
+  explicit HeightMatrix(int count);
 
   double at(int row, int column) const { return rows[row][column / int(kernel_lanes)][column % int(kernel_lanes)]; }
   void set(int row, int column, double value)
@@ -72,29 +79,34 @@ struct HeightMatrix {
     rows[row][column / int(kernel_lanes)][column % int(kernel_lanes)] = value;
   }
 
-  Lanes rows[coefficient_count(largest_degree)][groups] = {};
+  Lanes rows[coefficient_count(largest_degree)][most_groups];
 };
 
-/// Right sides b, and then U⁻ᵀ b, a lane each.
+/// Right sides b, and then U⁻ᵀ b, a lane each: AᵀW h, then the parts.
 struct WhitenedColumns {
-  Lanes rows[coefficient_count(largest_degree)] = {};
+  explicit WhitenedColumns(int count);
+
+  Lanes rows[coefficient_count(largest_degree)];
 };
+inline constexpr std::size_t heights_column = 0;
+constexpr std::size_t part_column(std::size_t part) { return 1 + part; }
+static_assert(part_column(height_part_count) <= kernel_lanes, "a column a lane");
 
 /// Factors as many of the first `count` rows as the places determine, and returns that number.
-int factor_as_far_as_determined(HeightMatrix& a, int count);
+/// \param least_share of a column's square that the columns before it must leave
+int factor_as_far_as_determined(HeightMatrix& a, int count, double least_share);
 void whiten(const HeightMatrix& factor, int count, WhitenedColumns& columns);
 
 /// What a fit leaves over, and how it answers to noise.
 struct FitQuality {
-  double squares = 0;                ///< Σ w off²
-  double freedom = 0;                ///< E Σ w off² = σ² · freedom: Σ w − w² mᵀ(AᵀWA)⁻¹m
-  double last_squares = 0;           ///< Σ w h² of the terms of the highest degree alone
-  double last_freedom = 0;           ///< what noise makes of it, over σ²
-  std::array<double, 5> variance{};  ///< of each part, Σ (w mᵀ(AᵀWA)⁻¹ part)²
+  double squares = 0;       ///< Σ w off²
+  double freedom = 0;       ///< E Σ w off² = σ² · freedom: Σ w − w² mᵀ(AᵀWA)⁻¹m
+  double last_squares = 0;  ///< Σ w h² of the terms of the highest degree alone
+  double last_freedom = 0;  ///< what noise makes of it, over σ²
+  std::array<double, height_part_count> variance{};  ///< of each part, Σ (w mᵀ(AᵀWA)⁻¹ part)²
 };
 
 /// \param count coefficients \param last the first monomial of the highest degree
-/// \param whitened columns of AᵀW h and of the parts
 FitQuality fit_quality(const HeightPlaces& places, int count, int last, const HeightMatrix& factor,
                        const WhitenedColumns& whitened);
 

@@ -2,17 +2,10 @@
 // Stage 2: least squares fit of a height over a tangent plane by a polynomial, and the curvature of the graph.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "integral_invariant/curvature/fit_kernels.h"
 #include "integral_invariant/curvature/tensor.h"
 
 namespace integral_invariant {
-
-/// What the curvature of a level graph is made of, linear in the coefficients: H, the components of K − H I, the
-/// slopes.
-enum HeightPart { mean_part, deviator_a_part, deviator_b_part, slope_x_part, slope_y_part, height_part_count };
 
 /// Least squares polynomial.
 class HeightFit {
@@ -26,15 +19,18 @@ class HeightFit {
   /// Σ w off², from the sums: to about 1e-15 of Σ w h².
   double squares() const;
   /// Variance of a part under independent noise of variance 1. \pre all places weigh 1
-  double variance(HeightPart part) const;
+  double variance(HeightPart part) const { return covariance(part, part); }
+  double covariance(HeightPart a, HeightPart b) const;
   /// The same for places of any weights, and more. \param places those that the sums are of
   FitQuality quality(const HeightPlaces& places) const;
 
  private:
+  double column_product(std::size_t a, std::size_t b) const;
+
   int degree_;
   double sum_of_squares_;
   HeightMatrix factor_;
-  WhitenedColumns whitened_;  ///< of the heights, then of the parts
+  WhitenedColumns whitened_;
 };
 
 /// Orthonormal frame in which heights are measured along `normal`.

@@ -4,13 +4,17 @@
 #include "integral_invariant/curvature/vertex_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+
+#include "integral_invariant/curvature/tangent_frame.h"
 
 namespace integral_invariant {
 
 namespace {
 
-constexpr int nearest_degree = 4, disc_degree = 2, least_degree = 2;
+constexpr int disc_degree = 2, least_degree = 2;
 
 /// Variances of what a fit says, from those of its parts, which `variance_of` gives.
 template <class VarianceOf>
@@ -23,6 +27,12 @@ void set_variances(const VarianceOf& variance_of, double unit, VertexFit& fit)
 }
 
 }  // namespace
+
+double standard_error(const VertexFit& fit)
+{
+  if (!(fit.residual >= 0)) return INFINITY;
+  return std::sqrt(fit.residual * (fit.mean_variance + fit.deviator_variance));
+}
 
 VertexFitter::VertexFitter(const Surface& surface, const std::vector<char>& barrier)
     : surface_(surface), barrier_(barrier.empty() ? nullptr : &barrier), seen_(surface.vertex_count(), 0)
@@ -47,16 +57,15 @@ void VertexFitter::start_at(std::size_t v)
 /// The vertex, its neighbours and their neighbours: on a surface with creases more is not better. Further rings where
 /// these are few, as at a boundary: half a disc of three rows does not tell a cubic. Not by way of the hubs of large
 /// fans, whose neighbours are mostly far away: their number squared would be the work.
-void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
+void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame, std::size_t least_count)
 {
   constexpr int rings = 2, most_rings = 4;
-  constexpr std::size_t enough = 14;
   constexpr std::uint32_t most_spokes = 512;
   const Vec3& centre = surface_.positions()[v];
   start_at(v);
   std::size_t next = 0;
   for (int ring = 0; ring <= most_rings; ++ring) {
-    const bool is_last = ring == most_rings || (ring >= rings && queue_.size() >= enough);
+    const bool is_last = ring == most_rings || (ring >= rings && queue_.size() >= least_count);
     for (const std::size_t end = queue_.size(); next < end; ++next) {
       const std::uint32_t u = queue_[next];
       places_.push_back(place_of(u, centre, frame));
@@ -75,24 +84,78 @@ void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame)
 
 VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
 {
-  constexpr std::size_t usual_count = 20;
-  static_assert(usual_count <= HeightPlaces::capacity);
-  constexpr double weight_fall = 4;  // the farthest vertex weighs exp(−4)
+  constexpr NearestFit usual{4, 20, 14, 4};
+  return fit_nearest(v, normal, usual);
+}
+
+VertexFit VertexFitter::finest(std::size_t v, const VertexFit& usual)
+{
+  constexpr NearestFit near{4, 18, 18, 6}, far{6, 36, 36, 6};
+  static_assert(far.count <= HeightPlaces::capacity && far.degree <= largest_degree);
+  constexpr double usual_handicap = 2, least_error = 1e-9;  // polynomials that are exact have rounding left
+  constexpr double small_share = 0.001, large_share = 0.01;
+  if (standard_error(usual) <= least_error) return usual;
+  const auto has_error_under = [](const VertexFit& fit, double share) {
+    return standard_error(fit) <= share * largest_absolute_curvature(fit.tensor);
+  };
+  VertexFit best = fit_nearest(v, usual.tensor.normal, far);
+  if (!has_error_under(best, small_share)) {
+    const VertexFit of_few = fit_nearest(v, usual.tensor.normal, near);
+    if (standard_error(of_few) < standard_error(best)) best = of_few;
+  }
+  if (!(standard_error(best) < usual_handicap * standard_error(usual))) best = usual;
+  return has_error_under(best, large_share) ? best : fit_one_side(v, best);
+}
+
+VertexFit VertexFitter::fit_one_side(std::size_t v, const VertexFit& of_all_sides)
+{
+  constexpr NearestFit half{4, 20, 44, 3};
+  constexpr int sides = 8;
+  constexpr double pi = 3.14159265358979323846, slack = 0.05;
+  constexpr double largest_share = 0.3;  // of the error: out of eight one is small by chance
+  constexpr double largest_fold = 0.02;  // an angle between the two sides
+  const HeightFrame frame(of_all_sides.tensor.normal);
+  walk_rings(v, frame, half.least_count);
+  const std::vector<Place> around = places_;
+  std::array<VertexFit, sides> fits;
+  for (int side = 0; side < sides; ++side) {
+    const double angle = 2 * pi * side / sides, x = std::cos(angle), y = std::sin(angle);
+    places_.clear();
+    std::copy_if(around.begin(), around.end(), std::back_inserter(places_),
+                 [&](const Place& p) { return p.x * x + p.y * y > -slack; });
+    fits[std::size_t(side)] = fit_places(frame, half);
+  }
+  const auto best = std::min_element(fits.begin(), fits.end(), [](const VertexFit& a, const VertexFit& b) {
+    return standard_error(a) < standard_error(b);
+  });
+  const VertexFit& opposite = fits[std::size_t(best - fits.begin() + sides / 2) % sides];
+  const bool is_fold = norm(cross(best->tensor.normal, opposite.tensor.normal)) > largest_fold;
+  return !is_fold && standard_error(*best) < largest_share * standard_error(of_all_sides) ? *best : of_all_sides;
+}
+
+VertexFit VertexFitter::fit_nearest(std::size_t v, const Vec3& normal, const NearestFit& kind)
+{
   const HeightFrame frame(normal);
-  walk_rings(v, frame);
-  const std::size_t count = std::min(places_.size(), usual_count);
+  walk_rings(v, frame, kind.least_count);
+  return fit_places(frame, kind);
+}
+
+VertexFit VertexFitter::fit_places(const HeightFrame& frame, const NearestFit& kind)
+{
+  if (places_.empty()) return {};
+  const std::size_t count = std::min(places_.size(), kind.count);
   std::nth_element(places_.begin(), places_.begin() + std::ptrdiff_t(count - 1), places_.end(),
                    [](const Place& p, const Place& q) { return p.squared_distance < q.squared_distance; });
   places_.resize(count);
   const double squared_unit = places_.back().squared_distance, unit = std::sqrt(squared_unit);
   if (!(unit > 0)) return {};
-  int degree = nearest_degree;
+  int degree = kind.degree;
   while (degree >= least_degree && int(count) <= coefficient_count(degree)) --degree;
   if (degree < least_degree) return {};
   heights_in_lanes_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Place& p = places_[i];
-    const double weight = std::exp(-weight_fall * p.squared_distance / squared_unit);
+    const double weight = std::exp(-kind.weight_fall * p.squared_distance / squared_unit);
     heights_in_lanes_.set(i, p.x / unit, p.y / unit, p.height, weight);
   }
   heights_in_lanes_.complete(degree);
@@ -190,7 +253,19 @@ VertexFit VertexFitter::grow_disc(double radius)
   fit.tensor = graph_curvature(quadric.coefficients(), frame_, 1);
   fit.residual = quadric.squares() / (count - coefficient_count(disc_degree));
   set_variances([&](HeightPart part) { return quadric.variance(part); }, 1, fit);
+  const auto c = [&](HeightPart a, HeightPart b) { return quadric.covariance(a, b); };
+  disc_covariance_ = {c(mean_part, mean_part),
+                      c(mean_part, deviator_a_part),
+                      c(mean_part, deviator_b_part),
+                      c(deviator_a_part, deviator_a_part),
+                      c(deviator_a_part, deviator_b_part),
+                      c(deviator_b_part, deviator_b_part)};
   return fit;
+}
+
+Symmetric3 VertexFitter::disc_covariance(const Vec3& axis) const
+{
+  return turned_covariance(disc_covariance_, dot(axis, frame_.x), dot(axis, frame_.y));
 }
 
 std::vector<Vec3> patch_normals(const Surface& surface, Execution& execution)

@@ -17,17 +17,35 @@ namespace integral_invariant {
 
 namespace {
 
-bool is_fold(std::size_t v, int scale, const TensorField& tensors, const Noise& noise)
+/// Three standard deviations of |κ|r.
+double doubt_of_fold(double r, double density)
 {
-  constexpr double least_kr = 0.5, least_fall = 1.3, deviations = 3;
+  constexpr double deviations = 3;
+  return deviations * std::sqrt((disc_variance::mean_curvature + disc_variance::deviator) * density) / (r * r);
+}
+
+/// What |κ| has to do from a scale to the next larger one.
+bool is_fold(std::size_t v, int scale, double least_fall, const TensorField& tensors, const Noise& noise)
+{
+  constexpr double least_kr = 0.5;
   const CurvatureTensor small = tensors.at_scale(v, scale), large = tensors.at_scale(v, scale + 1);
   if (small.confidence < least_confidence || large.confidence < least_confidence) return false;
-  const double r = tensors.radii()[std::size_t(scale)];
+  const double r = tensors.radii()[std::size_t(scale)], k = largest_absolute_curvature(small);
   if (r < least_radius_over_sigma * noise.sigma[v]) return false;
-  const double k = largest_absolute_curvature(small);
-  const double deviation =
-      std::sqrt((disc_variance::mean_curvature + disc_variance::deviator) * noise.density[v]) / (r * r * r);
-  return (k - deviations * deviation) * r > least_kr && k > least_fall * largest_absolute_curvature(large);
+  return k * r - doubt_of_fold(r, noise.density[v]) > least_kr && k > least_fall * largest_absolute_curvature(large);
+}
+
+/// In larger balls smooth parts of the same size look the same; under noise there is nothing else.
+bool is_fold(std::size_t v, int scale, const TensorField& tensors, const Noise& noise)
+{
+  constexpr double least_fall = 1.3, largest_doubt = 0.5;
+  constexpr double noisy_fall = 1.4, largest_noisy_radius = 4;
+  const std::vector<double>& radii = tensors.radii();
+  const auto radius = [&](int i) { return radii[std::size_t(i)]; };
+  const bool is_noisy = doubt_of_fold(radius(scale), noise.density[v]) > largest_doubt;
+  if (is_noisy && scale + 2 < int(radii.size()) && radius(scale + 1) < largest_noisy_radius)
+    return is_fold(v, scale + 1, noisy_fall, tensors, noise);
+  return is_fold(v, scale, least_fall, tensors, noise);
 }
 
 bool is_polynomial(const VertexFit& fit)
@@ -67,8 +85,7 @@ std::vector<float> distances(const Surface& surface, const std::vector<char>& is
 Creases find_creases(const Surface& surface, const TensorField& tensors, const std::vector<VertexFit>& fits,
                      const Noise& noise, const std::vector<char>& is_smooth, Execution& execution)
 {
-  // Smaller balls see few triangles; in larger ones smooth parts of the same size look the same.
-  constexpr double smallest_radius = 2, largest_radius = 4;
+  constexpr double smallest_radius = 2, largest_radius = 4;  // smaller balls see few triangles
   const std::vector<double>& radii = tensors.radii();
   std::size_t scale = 0;
   while (scale < radii.size() && radii[scale] < smallest_radius) ++scale;

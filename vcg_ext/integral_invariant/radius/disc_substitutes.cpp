@@ -33,9 +33,15 @@ bool fits_well(const VertexFit& fit, double sigma)
   return std::sqrt(fit.residual) <= deviations * sigma + shape_share * fit.reach;
 }
 
-std::array<float, 3> variance_of(const VertexFit& fit)
+DiscVariance isotropic_variance(const VertexFit& fit)
 {
-  return {float(fit.mean_variance), float(fit.deviator_variance), float(fit.normal_variance)};
+  const float deviator = float(fit.deviator_variance);
+  return {{float(fit.mean_variance), 0, 0, deviator, 0, deviator}, float(fit.normal_variance)};
+}
+
+Doubt doubt_of(const VertexFit& fit, double sigma)
+{
+  return integral_invariant::doubt_of(isotropic_variance(fit), sigma);
 }
 
 CurvatureTensor tensor_of(const VertexFit& fit, bool removes_bias)
@@ -70,11 +76,19 @@ class VertexScales {
       if (origin(i) == Origin::doubted) balls_.origin[place(i)] = verdict;
   }
 
-  void set_disc(std::size_t scale, const VertexFit& fit, const CurvatureTensor& tensor)
+  /// What the fitter's last disc says.
+  void set_disc(std::size_t scale, const VertexFit& fit, const CurvatureTensor& tensor, const VertexFitter& fitter)
+  {
+    DiscVariance& variance = set_fit(scale, fit, tensor);
+    const Symmetric3 c = fitter.disc_covariance(any_orthogonal(tensors_.at_scale(v_, int(scale)).normal));
+    variance.curvature = {float(c.xx), float(c.xy), float(c.xz), float(c.yy), float(c.yz), float(c.zz)};
+  }
+  /// Any fit, with the same variance in all directions.
+  DiscVariance& set_fit(std::size_t scale, const VertexFit& fit, const CurvatureTensor& tensor)
   {
     tensors_.set(v_, int(scale), {tensor.k, tensor.normal, least_confidence});
     balls_.origin[place(scale)] = Origin::vertices;
-    balls_.variance[place(scale)] = variance_of(fit);
+    return balls_.variances[balls_.row[v_] * count() + scale] = isotropic_variance(fit);
   }
 
   /// Whether ball and disc see the same sheet. To first order they are the same estimator, noise included; as the
@@ -120,11 +134,11 @@ void substitute_discs_at(VertexScales scales, Vec3 normal, const Creases& crease
     }
     if (must_fit && !fits_well(fit, scales.sigma())) break;
     const CurvatureTensor t = tensor_of(fit, removes_bias);
-    const bool bends = is_bent(t, radii[i], doubt_of(variance_of(fit), scales.sigma()));
+    const bool bends = is_bent(t, radii[i], doubt_of(fit, scales.sigma()));
     if (bends && scales.has_doubts()) break;
     const bool agrees = scales.origin(i) == Origin::doubted && scales.agrees(i, t);
     scales.settle_doubts(i + 1, agrees ? Origin::own : Origin::none);
-    if (!agrees) scales.set_disc(i, fit, t);
+    if (!agrees) scales.set_disc(i, fit, t, fitter);
     if (has_any && bends) break;
     has_any = true;
   }
@@ -133,7 +147,7 @@ void substitute_discs_at(VertexScales scales, Vec3 normal, const Creases& crease
   if (has_any || is_crease || scales.origin(0) == Origin::own) return;
   // Where all discs are too small or turn away, there are the nearest vertices.
   const VertexFit nearest = fitter.nearest(v, normal);
-  if (is_usable(nearest)) scales.set_disc(0, nearest, nearest.tensor);
+  if (is_usable(nearest)) scales.set_fit(0, nearest, nearest.tensor);
 }
 
 bool has_all_balls(std::size_t v, const WholeBalls& balls, std::size_t scales)
@@ -144,10 +158,10 @@ bool has_all_balls(std::size_t v, const WholeBalls& balls, std::size_t scales)
 
 }  // namespace
 
-Doubt doubt_of(const std::array<float, 3>& variance, double sigma)
+Doubt doubt_of(const DiscVariance& variance, double sigma)
 {
-  return {3 * sigma * std::sqrt(double(variance[0]) + double(variance[1])),
-          3 * sigma * std::sqrt(2 * double(variance[2]))};
+  return {3 * sigma * std::sqrt(double(variance.mean()) + double(variance.deviator())),
+          3 * sigma * std::sqrt(2 * double(variance.normal))};
 }
 
 bool is_bent(const CurvatureTensor& tensor, double radius, const Doubt& doubt)
@@ -181,7 +195,7 @@ std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>&
       fitter.start_disc(v, normals[v]);
       const VertexFit fit = fitter.grow_disc(radii[scale]);
       is_smooth[v] = is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
-                     !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(variance_of(fit), noise.sigma[v]));
+                     !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(fit, noise.sigma[v]));
     }
   });
   return is_smooth;
@@ -197,7 +211,9 @@ void substitute_discs(const Surface& surface, const std::vector<Vec3>& normals, 
     if (surface.is_referenced(v) && !has_all_balls(v, balls, scales)) cut.push_back(std::uint32_t(v));
   });
   if (cut.empty()) return;
-  resize_in_steps(balls.variance, n * scales, execution);
+  resize_in_steps(balls.row, n, execution);
+  for_each_index(cut.size(), execution, [&](std::size_t i) { balls.row[cut[i]] = std::uint32_t(i); });
+  resize_in_steps(balls.variances, cut.size() * scales, execution);
   VertexFitters fitters(surface, execution, creases.is_crease);
   parallel_for(
       cut.size(), 64, execution,

@@ -2,7 +2,6 @@
 // Stage 3: quadrics through the vertices of discs, for balls that do not see one sheet alone.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "integral_invariant/curvature/scale_blend.h"
@@ -18,8 +17,7 @@ namespace integral_invariant {
 struct Doubt {
   double curvature = 0, normal = 0;
 };
-/// \param variance as in WholeBalls
-Doubt doubt_of(const std::array<float, 3>& variance, double sigma);
+Doubt doubt_of(const DiscVariance& variance, double sigma);
 
 /// Whether the surface turns away within this ball or disc, so that larger ones say nothing.
 bool is_bent(const CurvatureTensor& tensor, double radius, const Doubt& doubt);

@@ -77,11 +77,11 @@ class ScaleChain::Filter {
   }
   double noise_of(std::size_t v, int i) const { return double(signal_->noise[v * scales_ + std::size_t(i)]); }
   /// Of the difference between scale i and the next; a little of it at least, where one of them is a fit of its own
-  /// kind.
+  /// kind. The larger one may have more of it: a disc that ends at a crease, beside a ball that does not reach it yet.
   double noise_between(std::size_t v, int i) const
   {
     constexpr double least = 0.05;
-    return std::max(noise_of(v, i) - noise_of(v, i + 1), least * noise_of(v, i)) + 1e-30;
+    return std::max(std::abs(noise_of(v, i) - noise_of(v, i + 1)), least * noise_of(v, i)) + 1e-30;
   }
   /// Mean square of a strand's innovations.
   double energy(std::size_t v, int strand) const

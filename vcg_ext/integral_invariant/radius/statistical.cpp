@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "integral_invariant/curvature/bias.h"
 #include "integral_invariant/curvature/offset_free.h"
-#include "integral_invariant/curvature/vertex_fit.h"
+#include "integral_invariant/curvature/tangent_frame.h"
+#include "integral_invariant/radius/fitted_signals.h"
 #include "integral_invariant/radius/scale_chain.h"
+#include "integral_invariant/radius/shrinkage.h"
 #include "integral_invariant/radius/vertex_step.h"
 #include "integral_invariant/radius/whole_balls.h"
 
@@ -18,23 +19,9 @@ namespace integral_invariant {
 
 namespace {
 
-/// Tangent frame of a vertex in which its tensors of all scales are compared.
-struct Frame {
-  Vec3 normal, u, v;
-};
-
-/// `a` turned as the shortest rotation turns `from` to `to`.
-Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
-{
-  const double cosine = dot(from, to);
-  if (cosine < -0.99) return a;
-  const Vec3 axis = cross(from, to), once = cross(axis, a);
-  return a + once + cross(axis, once) * (1 / (1 + cosine));
-}
-
 /// The normal is that of a small ball, the frame the principal one of the largest, which has the least noise: a frame
 /// that follows the noise of what it is to judge would pass it for shape.
-Frame frame_of(std::size_t vertex, const TensorField& tensors, const WholeBalls& balls)
+TangentFrame frame_of(std::size_t vertex, const TensorField& tensors, const WholeBalls& balls)
 {
   constexpr int usual_scale = 3;  // small, but not the prey of noise
   const std::size_t scales = tensors.radii().size();
@@ -50,20 +37,7 @@ struct Signals {
   Signal mean, deviator, normal;
 };
 
-/// A tensor as its vertex's frame sees it.
-struct Components {
-  double mean;
-  std::array<double, 2> deviator, normal;
-};
-
-Components components_of(const CurvatureTensor& t, const Frame& f)
-{
-  const Vec3 a = turned(f.u, f.normal, t.normal), b = turned(f.v, f.normal, t.normal), kb = t.k * b;
-  const double aa = quadratic_form(t.k, a), bb = dot(b, kb);
-  return {(aa + bb) / 2, {(aa - bb) / 2, dot(a, kb)}, {dot(t.normal, f.u), dot(t.normal, f.v)}};
-}
-
-Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const std::vector<Frame>& frames,
+Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const std::vector<TangentFrame>& frames,
                      const Noise& noise, Execution& execution)
 {
   const std::size_t n = frames.size(), scales = tensors.radii().size(), places = n * scales;
@@ -74,16 +48,16 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
         for (std::size_t v = begin; v < end; ++v)
           for (std::size_t i = 0; i < scales; ++i) {
             const std::size_t place = v * scales + i;
-            const Components c = components_of(tensors.at_scale(v, int(i)), frames[v]);
+            const TensorComponents c = components_of(tensors.at_scale(v, int(i)), frames[v]);
             s.mean.values[place] = {float(c.mean), 0};
             s.deviator.values[place] = {float(c.deviator[0]), float(c.deviator[1])};
-            s.normal.values[place] = {float(c.normal[0]), float(c.normal[1])};
+            s.normal.values[place] = {float(c.tilt[0]), float(c.tilt[1])};
             if (balls.origin[place] == Origin::vertices) {
-              const std::array<float, 3>& variance = balls.variance[place];
+              const DiscVariance& variance = balls.variance(v, i);
               const float square = float(noise.sigma[v] * noise.sigma[v]);
-              s.mean.noise[place] = variance[0] * square;
-              s.deviator.noise[place] = variance[1] * square;
-              s.normal.noise[place] = variance[2] * square;
+              s.mean.noise[place] = variance.mean() * square;
+              s.deviator.noise[place] = variance.deviator() * square;
+              s.normal.noise[place] = variance.normal * square;
               continue;
             }
             const double r2 = tensors.radii()[i] * tensors.radii()[i], density = noise.density[v];
@@ -114,60 +88,6 @@ ChainResults run_chains(const Signals& signals, const ScaleEvidence& evidence, E
   return results;
 }
 
-struct FittedSignals {
-  FittedSignal mean, deviator, normal;
-};
-
-/// Fits that reach over a crease, and those beside them: a polynomial overshoots it, and swings to both sides of it.
-std::vector<char> near_creases(const Surface& surface, const std::vector<VertexFit>& fits, Execution& execution)
-{
-  constexpr double largest_kr = 1.3;
-  std::vector<char> near(fits.size(), 0);
-  for_each_in_order(fits.size(), execution, [&](std::size_t v) {
-    if (!(largest_absolute_curvature(fits[v].tensor) * fits[v].reach > largest_kr)) return;
-    near[v] = 1;
-    for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
-      near[surface.neighbours()[e]] = 1;
-  });
-  return near;
-}
-
-FittedSignals make_fitted_signals(const Surface& surface, const std::vector<VertexFit>& fits,
-                                  const std::vector<Frame>& frames, const Noise& noise, Execution& execution)
-{
-  constexpr double evident_residual = 6, evident_terms = 1.5, least_variance = 1e-20;
-  const std::size_t n = fits.size();
-  const std::vector<char> is_near_crease = near_creases(surface, fits, execution);
-  FittedSignals s{{1, Evidence::joint, {}, {}, {}}, {2, Evidence::each, {}, {}, {}}, {2, Evidence::each, {}, {}, {}}};
-  for (FittedSignal* signal : {&s.mean, &s.deviator, &s.normal}) {
-    resize_in_steps(signal->values, n, execution);
-    resize_in_steps(signal->error, n, execution);
-    resize_in_steps(signal->noise, n, execution, double(INFINITY));
-  }
-  for_each_index(n, execution, [&](std::size_t v) {
-    const VertexFit& fit = fits[v];
-    if (!(fit.tensor.confidence > 0) || is_near_crease[v]) return;
-    const Components c = components_of(fit.tensor, frames[v]);
-    double variance = noise.sigma[v] * noise.sigma[v];
-    if (fit.residual > evident_residual * variance) variance = fit.residual;
-    // A polynomial that only shape leaves over is as exact as its residual is small, and better than any ball.
-    const bool is_shape = fit.last_terms > evident_terms * fit.residual;
-    const double noise_share = is_shape ? 1 - noise.shape_share[v] : 1;
-    const double of_noise = std::max(variance * noise_share, least_variance);
-    variance = std::max(variance, least_variance);
-    s.mean.values[v] = {c.mean, 0};
-    s.deviator.values[v] = c.deviator;
-    s.normal.values[v] = c.normal;
-    const std::pair<FittedSignal*, double> parts[] = {
-        {&s.mean, fit.mean_variance}, {&s.deviator, fit.deviator_variance}, {&s.normal, fit.normal_variance}};
-    for (const auto& [signal, of_part] : parts) {
-      signal->noise[v] = of_part * of_noise;
-      signal->error[v] = of_part * variance;
-    }
-  });
-  return s;
-}
-
 void remove_own_bias(TensorField& tensors, const Noise& noise, Execution& execution)
 {
   // Half of a vertex's variance is left where triangles average their three corners.
@@ -185,15 +105,32 @@ void remove_own_bias(TensorField& tensors, const Noise& noise, Execution& execut
       0, 0.1);
 }
 
-CurvatureTensor assemble(const Frame& f, double mean, const std::array<double, 2>& deviator,
-                         const std::array<double, 2>& tilt)
+/// The chains start from a vertex's largest disc, which may hardly tell its curvature in one direction; what they add
+/// to it does not depend on it.
+void shrink_starts(const std::vector<TangentFrame>& frames, const TensorField& tensors, const WholeBalls& balls,
+                   const Signals& signals, const Noise& noise, ChainResults& chains, Execution& execution)
 {
-  const double in_plane = std::min(0.99, tilt[0] * tilt[0] + tilt[1] * tilt[1]);
-  const Vec3 normal = normalized(f.u * tilt[0] + f.v * tilt[1] + f.normal * std::sqrt(1 - in_plane), f.normal);
-  const Vec3 u = turned(f.u, f.normal, normal), v = turned(f.v, f.normal, normal);
-  const Symmetric3 k =
-      outer(u) * (mean + deviator[0]) + outer(v) * (mean - deviator[0]) + symmetric_outer(u, v) * deviator[1];
-  return {k, normal, 1};
+  const std::size_t scales = tensors.radii().size();
+  for_each_index(frames.size(), execution, [&](std::size_t v) {
+    const std::size_t scale = std::size_t(balls.largest[v]), place = v * scales + scale;
+    if (balls.origin[place] != Origin::vertices) return;
+    const Vec3 normal = tensors.at_scale(v, int(scale)).normal;
+    const Vec3 x = any_orthogonal(normal), u = turned(frames[v].u, frames[v].normal, normal);
+    const Symmetric3 covariance =
+        turned_covariance(balls.variance(v, scale).covariance(), dot(u, x), dot(u, cross(normal, x))) *
+        (noise.sigma[v] * noise.sigma[v]);
+    const Vec3 start{signals.mean.values[place][0], signals.deviator.values[place][0],
+                     signals.deviator.values[place][1]};
+    const ShrunkCurvature shrunk = shrunk_to_plane(start, covariance);
+    const auto replace_start = [&](ChainResult& chain, const Signal& signal, std::size_t c, double value, double was,
+                                   double variance) {
+      chain.value[v][c] += value - was;
+      chain.variance[v][c] = std::max(0.0, chain.variance[v][c] - double(signal.noise[place])) + variance;
+    };
+    replace_start(chains.mean, signals.mean, 0, shrunk.value.x, start.x, shrunk.variance.x);
+    replace_start(chains.deviator, signals.deviator, 0, shrunk.value.y, start.y, shrunk.variance.y);
+    replace_start(chains.deviator, signals.deviator, 1, shrunk.value.z, start.z, shrunk.variance.z);
+  });
 }
 
 }  // namespace
@@ -208,7 +145,7 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   if (removes_bias) remove_own_bias(tensors, noise, execution);
   const WholeBalls balls = find_whole_balls(surface, offsets, fits, noise, removes_bias, tensors, execution);
 
-  std::vector<Frame> frames;
+  std::vector<TangentFrame> frames;
   std::vector<double> least_radius;
   resize_in_steps(frames, n, execution);
   resize_in_steps(least_radius, n, execution);
@@ -227,6 +164,7 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   const ScaleEvidence evidence{radii, balls, least_radius, pools, removes_bias};
   ChainResults chains = run_chains(signals, evidence, execution);
   if (removes_bias) {
+    shrink_starts(frames, tensors, balls, signals, noise, chains, execution);
     const FittedSignals fitted = make_fitted_signals(surface, fits, frames, noise, execution);
     add_vertex_step(fitted.mean, pools.front(), chains.mean, execution);
     add_vertex_step(fitted.deviator, pools.front(), chains.deviator, execution);
@@ -238,7 +176,8 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   resize_in_steps(result.tensor, n, execution);
   resize_in_steps(result.standard_error, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
-    result.tensor[v] = assemble(frames[v], chains.mean.value[v][0], chains.deviator.value[v], chains.normal.value[v]);
+    result.tensor[v] =
+        tensor_of({chains.mean.value[v][0], chains.deviator.value[v], chains.normal.value[v]}, frames[v]);
     result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
     const double variance = std::max(0.0, chains.mean.variance[v][0] + chains.deviator.variance[v][0]);
     result.standard_error[v] = std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v]));

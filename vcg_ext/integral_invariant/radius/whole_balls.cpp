@@ -90,7 +90,8 @@ int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const
     if (balls.origin[place] == Origin::none) continue;
     const CurvatureTensor t = tensors.at_scale(v, i);
     // The smallest balls see the noise of a few triangles, which says nothing about larger ones.
-    const Doubt doubt = balls.origin[place] == Origin::vertices ? doubt_of(balls.variance[place], sigma) : Doubt{};
+    const Doubt doubt =
+        balls.origin[place] == Origin::vertices ? doubt_of(balls.variance(v, std::size_t(i)), sigma) : Doubt{};
     const bool is_checked = radii[i] > unchecked_radius;
     if (is_checked && has_normal &&
         (is_bent(t, radii[i], doubt) || dot(t.normal, normal) + doubt.normal < least_cosine))
@@ -104,6 +105,11 @@ int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const
 }
 
 }  // namespace
+
+Symmetric3 DiscVariance::covariance() const
+{
+  return {curvature[0], curvature[1], curvature[2], curvature[3], curvature[4], curvature[5]};
+}
 
 WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& offsets,
                             const std::vector<VertexFit>& fits, const Noise& noise, bool removes_bias,

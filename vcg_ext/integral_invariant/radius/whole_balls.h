@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "integral_invariant/curvature/scale_blend.h"
 #include "integral_invariant/radius/noise.h"
 #include "integral_invariant/support/execution.h"
+#include "integral_invariant/support/symmetric3.h"
 #include "integral_invariant/surface.h"
 
 namespace integral_invariant {
@@ -19,12 +21,29 @@ enum class Origin : unsigned char { none, vertices, own, doubted };
 /// Share of its disc that a whole ball sees at least.
 constexpr double least_confidence = 0.95;
 
+/// Of a tensor from vertices, over σ².
+struct DiscVariance {
+  /// Covariance of (H, (K_uu − K_vv)/2, K_uv), by rows from the diagonal on, with u = any_orthogonal(the tensor's
+  /// normal, as TensorField gives it) and v = normal × u.
+  std::array<float, 6> curvature{};
+  float normal = 0;  ///< variance of either tangential component
+
+  Symmetric3 covariance() const;
+  float mean() const { return curvature[0]; }
+  float deviator() const { return (curvature[3] + curvature[5]) / 2; }  ///< of either component, on average
+};
+
 struct WholeBalls {
   std::vector<Origin> origin;  ///< n × scales
   std::vector<int> largest;    ///< n: the largest scale to be used
-  /// n × scales, or empty where every ball is whole: of a tensor from vertices, the variances of VertexFit over σ²
-  /// (mean, deviator, normal).
-  std::vector<std::array<float, 3>> variance;
+
+  /// \pre the origin is vertices
+  const DiscVariance& variance(std::size_t vertex, std::size_t scale) const
+  {
+    return variances[row[vertex] * (origin.size() / row.size()) + scale];
+  }
+  std::vector<std::uint32_t> row;       ///< n, or empty where every ball is whole: place among those with discs
+  std::vector<DiscVariance> variances;  ///< those × scales
 };
 
 /// A ball that misses more than a twentieth of its disc (the surface ends there), meets another sheet, or reaches over

@@ -14,6 +14,13 @@
 #define II_VECTOR_CLONES
 #endif
 
+// Into the clone that calls it, and compiled for its processor.
+#if defined(__GNUC__)
+#define II_INLINE inline __attribute__((always_inline))
+#else
+#define II_INLINE inline
+#endif
+
 namespace integral_invariant {
 
 inline constexpr std::size_t kernel_lanes = 8;
