@@ -85,7 +85,8 @@ TriangleMesh double_cone(int sides)
   return mesh;
 }
 
-/// Of the default with known noise: what a double cone shows of it is chance, and chance decides how many discs there are.
+/// Of the default with known noise: what a double cone shows of it is chance, and chance decides how many discs there
+/// are.
 double seconds_of_default(const TriangleMesh& mesh)
 {
   Parameters p = on_one_thread({});
