@@ -12,19 +12,27 @@ namespace {
 
 constexpr double least_variance = 1e-300;  // of exact values: nothing is divided by zero
 
-/// Of the prior, from squares and variances along the axes of the noise: the sum falls with p, so halving finds it.
+/// Of the prior, from squares and variances along the axes of the noise. The sum of the squares over their variances
+/// falls with p and is convex: Newton's method from below stays below.
 double prior_variance(const std::array<double, 3>& square, const std::array<double, 3>& noise)
 {
-  constexpr double expected = 3;
-  constexpr int halvings = 50;
-  double low = 0, high = (square[0] + square[1] + square[2]) / expected;
-  for (int i = 0; i < halvings; ++i) {
-    const double p = (low + high) / 2;
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) sum += square[k] / (noise[k] + p + least_variance);
-    (sum > expected ? low : high) = p;
+  constexpr double expected = 3, precision = 1e-9;
+  constexpr int most_steps = 30;
+  double p = 0;
+  for (std::size_t k = 0; k < 3; ++k) p = std::max(p, square[k] / expected - noise[k]);
+  for (int step = 0; step < most_steps; ++step) {
+    double sum = 0, slope = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double inverse = 1 / (noise[k] + p + least_variance), term = square[k] * inverse;
+      sum += term;
+      slope += term * inverse;
+    }
+    if (!(sum > expected)) break;
+    const double change = (sum - expected) / slope;
+    p += change;
+    if (change <= precision * p) break;
   }
-  return low;
+  return p;
 }
 
 }  // namespace
