@@ -139,8 +139,16 @@ II_INLINE int factor_rows(HeightMatrix& a, int count, double least_share)
 II_VECTOR_CLONES
 int factor_as_far_as_determined(HeightMatrix& a, int count, double least_share)
 {
-  return groups_of(count) <= 2 ? factor_rows<2>(a, count, least_share)
-                               : factor_rows<HeightMatrix::most_groups>(a, count, least_share);
+  switch (groups_of(count)) {
+    case 1:
+      return factor_rows<1>(a, count, least_share);
+    case 2:
+      return factor_rows<2>(a, count, least_share);
+    case 3:
+      return factor_rows<3>(a, count, least_share);
+    default:
+      return factor_rows<HeightMatrix::most_groups>(a, count, least_share);
+  }
 }
 
 II_VECTOR_CLONES

@@ -22,7 +22,8 @@ struct StatisticalCurvature {
 
 /// Mean curvature, deviator and normal each go through a scale chain of their own (scale_chain.h): they have different
 /// noise and different bias. What lies along and what lies across the principal direction of a vertex's largest ball is
-/// added apart: curvatures may change with the scale where directions do not. `tensors` are offset-free, `offsets`
+/// added apart: curvatures may change with the scale where directions do not. What the largest disc does not know of a
+/// curvature is shrunk (shrinkage.h). `tensors` are offset-free, `offsets`
 /// theirs (n × scales); with Estimator::bias_free they lose their own bias first, and scales predict each other.
 /// Changes `tensors`. Cost O(n · scales), about 0.4 µs a vertex and scale; more where discs of vertices replace balls.
 StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<float>& offsets,
