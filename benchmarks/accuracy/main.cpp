@@ -12,7 +12,6 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "cells.h"
 #include "estimate.h"
@@ -116,22 +115,19 @@ void run_cost(const Cell& cell, const TruthMesh& truth)
 {
   const TriangleMesh mesh = with_noise(truth, cell.sigma, cell.seed());
   const integral_invariant::Parameters automatic, published = integral_invariant::published_method();
+  std::array<integral_invariant::Parameters, 3> settings{automatic, published, published};
   // The radii of the default settings, so that both see the same balls.
   const double edge = test_support::average_edge_length(mesh);
-  integral_invariant::Parameters same_balls = published;
+  integral_invariant::Parameters& same_balls = settings.back();
   same_balls.scales = automatic.scales;
   same_balls.spacing = integral_invariant::ScaleSpacing::geometric;
   same_balls.r_min = 1.5 * edge;
   same_balls.r_max = 16 * edge;
   constexpr int runs = 5;
   std::array<double, 3> fastest{1e300, 1e300, 1e300};
-  for (int run = 0; run < runs; ++run) {
-    std::size_t i = 0;
-    for (const integral_invariant::Parameters* parameters : {&automatic, &published, &std::as_const(same_balls)}) {
-      fastest[i] = std::min(fastest[i], processor_seconds(mesh, *parameters));
-      ++i;
-    }
-  }
+  for (int run = 0; run < runs; ++run)
+    for (std::size_t i = 0; i < settings.size(); ++i)
+      fastest[i] = std::min(fastest[i], processor_seconds(mesh, settings[i]));
   std::printf("%s,%s,%g,%zu,%.4g,%.4g,%.4g\n", cell.shape.c_str(), cell.meshing.c_str(), cell.sigma,
               mesh.positions.size(), fastest[0], fastest[1], fastest[2]);
   std::fflush(stdout);

@@ -26,9 +26,8 @@ using Components = std::array<double, 3>;
 
 Components components_of(const CurvatureTensor& t, const Vec3& normal, const Vec3& u)
 {
-  const Vec3 a = turned(u, normal, t.normal), b = turned(cross(normal, u), normal, t.normal), kb = t.k * b;
-  const double aa = quadratic_form(t.k, a), bb = dot(b, kb);
-  return {(aa + bb) / 2, (aa - bb) / 2, dot(a, kb)};
+  const TensorComponents c = integral_invariant::components_of(t, {normal, u, cross(normal, u)});
+  return {c.mean, c.deviator[0], c.deviator[1]};
 }
 
 double kappa_error(const Components& c, const Components& truth)

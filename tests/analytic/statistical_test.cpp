@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <random>
 
 #include "integral_invariant/pipeline.h"
 #include "support/shapes.h"

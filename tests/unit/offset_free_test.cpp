@@ -14,7 +14,6 @@ using test_support::paraboloid_moments;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const Vec3 up = normalized(Vec3{1, 2, 3});
 const Vec3 side = any_orthogonal(up);
 

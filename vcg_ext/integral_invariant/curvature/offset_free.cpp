@@ -5,12 +5,6 @@
 
 namespace integral_invariant {
 
-namespace {
-
-constexpr double pi = disc_variance::pi;
-
-}  // namespace
-
 OffsetFreeMeasure offset_free_measure(const BallMoments& moments, double r)
 {
   const TangentialCovariance covariance = tangential_covariance(moments, r);

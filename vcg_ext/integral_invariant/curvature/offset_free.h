@@ -3,6 +3,7 @@
 #pragma once
 
 #include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/support/pi.h"
 
 namespace integral_invariant {
 
@@ -24,7 +25,6 @@ OffsetFreeMeasure offset_free_measure(const BallMoments& moments, double radius)
 /// best on its disc, so that the difference between two scales is independent of the larger one: its variance is the
 /// difference of theirs.
 namespace disc_variance {
-inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double mean_curvature = 48 / pi;  ///< of H: × s²/r⁶
 inline constexpr double deviator = 24 / pi;        ///< of either component of K − H I: × s²/r⁶
 inline constexpr double normal = 4 / pi;           ///< of either tangential component of the normal: × s²/r⁴

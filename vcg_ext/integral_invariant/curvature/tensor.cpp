@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "integral_invariant/support/pi.h"
+
 namespace integral_invariant {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// The tensor's 2x2 matrix in the tangent basis (u, v).
 struct Tangential2 {

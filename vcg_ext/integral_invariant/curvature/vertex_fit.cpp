@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "integral_invariant/curvature/tangent_frame.h"
+#include "integral_invariant/support/pi.h"
 
 namespace integral_invariant {
 
@@ -111,7 +112,7 @@ VertexFit VertexFitter::fit_one_side(std::size_t v, const VertexFit& of_all_side
 {
   constexpr NearestFit half{4, 20, 44, 3};
   constexpr int sides = 8;
-  constexpr double pi = 3.14159265358979323846, slack = 0.05;
+  constexpr double slack = 0.05;
   constexpr double largest_share = 0.3;  // of the error: out of eight one is small by chance
   constexpr double largest_fold = 0.02;  // an angle between the two sides
   const HeightFrame frame(of_all_sides.tensor.normal);

@@ -14,6 +14,7 @@
 #include "integral_invariant/radius/scales.h"
 #include "integral_invariant/support/error.h"
 #include "integral_invariant/support/memory.h"
+#include "integral_invariant/support/pi.h"
 
 namespace integral_invariant {
 
@@ -21,7 +22,6 @@ namespace {
 
 double volume_invariant(double volume, double radius)
 {
-  constexpr double pi = 3.14159265358979323846;
   return std::clamp(1 - 2 * volume / (4.0 / 3 * pi * radius * radius * radius), -1.0, 1.0);
 }
 

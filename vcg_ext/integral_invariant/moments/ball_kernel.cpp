@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "integral_invariant/moments/grid_interpolation.h"
+#include "integral_invariant/support/pi.h"
 
 namespace integral_invariant {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// 4π j_n(q)/qⁿ by its power series 4π/(2n+1)!! · Σ (−q²/2)^i / (i! (2n+3)(2n+5)…(2n+2i+1)).
 double series(int n, double leading, double q)

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "integral_invariant/moments/sphere_cut.h"
+#include "integral_invariant/support/pi.h"
 
 namespace integral_invariant {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // In edges, measured (docs/surface_engine.md): what is in closed form, the rim beyond it, what is worth one.
 constexpr double widest_near = 3.05, rim_gap = 0.3, least_gain = 1.5;
 constexpr std::uint32_t none = ~0u;

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "integral_invariant/moments/decimation.h"
+#include "integral_invariant/support/pi.h"
 
 namespace integral_invariant {
 
 double sampling_correction(double k)
 {
-  constexpr double pi = 3.14159265358979323846;
   // The prefilter that makes the spline interpolate: the inverse of (1 4 1)/6. Measured against the least squares
   // prefilter and the one that is exact for the lowest frequencies, it gave the smallest error of the curvature.
   const double s = std::sin(k / 2), prefilter = 1 / (1 - 2.0 / 3 * s * s);

@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "integral_invariant/moments/spherical_moments.h"
+#include "integral_invariant/support/pi.h"
 
 namespace integral_invariant {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// ∫1, ∫y, ∫y yᵀ over a plane region, y from the foot of the origin on the plane.
 struct PlaneMoments {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integral_invariant/support/pi.h"
+
 namespace integral_invariant {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// ∫ y yᵀ dφ over the arc of the circle from y_a to y_b (vectors from its centre) through `turn`.
 Symmetric3 circle_second(const Vec3& n, const Vec3& y_a, const Vec3& y_b, double turn, double squared_radius)

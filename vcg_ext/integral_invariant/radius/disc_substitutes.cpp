@@ -39,11 +39,6 @@ DiscVariance isotropic_variance(const VertexFit& fit)
   return {{float(fit.mean_variance), 0, 0, deviator, 0, deviator}, float(fit.normal_variance)};
 }
 
-Doubt doubt_of(const VertexFit& fit, double sigma)
-{
-  return integral_invariant::doubt_of(isotropic_variance(fit), sigma);
-}
-
 CurvatureTensor tensor_of(const VertexFit& fit, bool removes_bias)
 {
   return removes_bias ? without_graph_bias(fit.tensor, fit.reach) : fit.tensor;
@@ -80,7 +75,7 @@ class VertexScales {
   void set_disc(std::size_t scale, const VertexFit& fit, const CurvatureTensor& tensor, const VertexFitter& fitter)
   {
     DiscVariance& variance = set_fit(scale, fit, tensor);
-    const Symmetric3 c = fitter.disc_covariance(any_orthogonal(tensors_.at_scale(v_, int(scale)).normal));
+    const Symmetric3 c = fitter.disc_covariance(DiscVariance::axis(tensors_.at_scale(v_, int(scale)).normal));
     variance.curvature = {float(c.xx), float(c.xy), float(c.xz), float(c.yy), float(c.yz), float(c.zz)};
   }
   /// Any fit, with the same variance in all directions.
@@ -134,7 +129,7 @@ void substitute_discs_at(VertexScales scales, Vec3 normal, const Creases& crease
     }
     if (must_fit && !fits_well(fit, scales.sigma())) break;
     const CurvatureTensor t = tensor_of(fit, removes_bias);
-    const bool bends = is_bent(t, radii[i], doubt_of(fit, scales.sigma()));
+    const bool bends = is_bent(t, radii[i], doubt_of(isotropic_variance(fit), scales.sigma()));
     if (bends && scales.has_doubts()) break;
     const bool agrees = scales.origin(i) == Origin::doubted && scales.agrees(i, t);
     scales.settle_doubts(i + 1, agrees ? Origin::own : Origin::none);
@@ -194,8 +189,9 @@ std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>&
       const std::uint32_t v = beside_others[i];
       fitter.start_disc(v, normals[v]);
       const VertexFit fit = fitter.grow_disc(radii[scale]);
-      is_smooth[v] = is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
-                     !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(fit, noise.sigma[v]));
+      is_smooth[v] =
+          is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
+          !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(isotropic_variance(fit), noise.sigma[v]));
     }
   });
   return is_smooth;

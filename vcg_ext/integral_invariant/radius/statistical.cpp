@@ -115,10 +115,9 @@ void shrink_starts(const std::vector<TangentFrame>& frames, const TensorField& t
     const std::size_t scale = std::size_t(balls.largest[v]), place = v * scales + scale;
     if (balls.origin[place] != Origin::vertices) return;
     const Vec3 normal = tensors.at_scale(v, int(scale)).normal;
-    const Vec3 x = any_orthogonal(normal), u = turned(frames[v].u, frames[v].normal, normal);
+    const Vec3 u = turned(frames[v].u, frames[v].normal, normal);
     const Symmetric3 covariance =
-        turned_covariance(balls.variance(v, scale).covariance(), dot(u, x), dot(u, cross(normal, x))) *
-        (noise.sigma[v] * noise.sigma[v]);
+        balls.variance(v, scale).covariance_along(u, normal) * (noise.sigma[v] * noise.sigma[v]);
     const Vec3 start{signals.mean.values[place][0], signals.deviator.values[place][0],
                      signals.deviator.values[place][1]};
     const ShrunkCurvature shrunk = shrunk_to_plane(start, covariance);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integral_invariant/curvature/tangent_frame.h"
 #include "integral_invariant/curvature/vertex_fit.h"
 #include "integral_invariant/radius/creases.h"
 #include "integral_invariant/radius/disc_substitutes.h"
@@ -106,9 +107,11 @@ int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const
 
 }  // namespace
 
-Symmetric3 DiscVariance::covariance() const
+Symmetric3 DiscVariance::covariance_along(const Vec3& u, const Vec3& tensor_normal) const
 {
-  return {curvature[0], curvature[1], curvature[2], curvature[3], curvature[4], curvature[5]};
+  const Vec3 x = axis(tensor_normal), y = cross(tensor_normal, x);
+  return turned_covariance({curvature[0], curvature[1], curvature[2], curvature[3], curvature[4], curvature[5]},
+                           dot(u, x), dot(u, y));
 }
 
 WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& offsets,

@@ -23,12 +23,14 @@ constexpr double least_confidence = 0.95;
 
 /// Of a tensor from vertices, over σ².
 struct DiscVariance {
-  /// Covariance of (H, (K_uu − K_vv)/2, K_uv), by rows from the diagonal on, with u = any_orthogonal(the tensor's
-  /// normal, as TensorField gives it) and v = normal × u.
+  /// Covariance of (H, (K_uu − K_vv)/2, K_uv), by rows from the diagonal on, with u = axis(the tensor's normal, as
+  /// TensorField gives it) and v = normal × u.
   std::array<float, 6> curvature{};
   float normal = 0;  ///< variance of either tangential component
 
-  Symmetric3 covariance() const;
+  static Vec3 axis(const Vec3& tensor_normal) { return any_orthogonal(tensor_normal); }
+  /// The same with any unit vector u of the tangent plane.
+  Symmetric3 covariance_along(const Vec3& u, const Vec3& tensor_normal) const;
   float mean() const { return curvature[0]; }
   float deviator() const { return (curvature[3] + curvature[5]) / 2; }  ///< of either component, on average
 };
