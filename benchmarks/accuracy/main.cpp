@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// accuracy peers|ours|cost|oracle [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
+// accuracy peers|ours|cost|oracle|vertices [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
 //
 // cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
 // each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
-// cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth.
+// cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth. vertices: one
+// cell, a line each vertex.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -20,6 +21,7 @@
 #include "peers/peer.h"
 #include "resource_use.h"
 #include "support/shapes.h"
+#include "vertex_table.h"
 
 namespace {
 
@@ -42,8 +44,10 @@ Options read_options(int argc, char** argv)
     if (!std::strcmp(argv[i], "--cells")) o.filter = argv[i + 1];
     if (!std::strcmp(argv[i], "--part")) std::sscanf(argv[i + 1], "%d/%d", &o.part, &o.parts);
   }
-  if ((o.mode != "peers" && o.mode != "ours" && o.mode != "cost" && o.mode != "oracle") || argc % 2)
-    throw std::invalid_argument("usage: accuracy peers|ours|cost|oracle [--models FOLDER] [--cells TEXT] [--part I/N]");
+  constexpr std::array modes{"peers", "ours", "cost", "oracle", "vertices"};
+  if (std::find(modes.begin(), modes.end(), o.mode) == modes.end() || argc % 2)
+    throw std::invalid_argument(
+        "usage: accuracy peers|ours|cost|oracle|vertices [--models FOLDER] [--cells TEXT] [--part I/N]");
   return o;
 }
 
@@ -142,7 +146,7 @@ try {
     std::puts("shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds");
   else if (options.mode == "oracle")
     print_oracle_header();
-  else
+  else if (options.mode != "vertices")
     print_header();
   TruthMesh truth;
   std::string loaded;
@@ -157,6 +161,7 @@ try {
     if (options.mode == "ours") run_ours(cell, truth);
     if (options.mode == "cost") run_cost(cell, truth);
     if (options.mode == "oracle") print_oracle(cell, truth, with_noise(truth, cell.sigma, cell.seed()));
+    if (options.mode == "vertices") print_vertices(truth, with_noise(truth, cell.sigma, cell.seed()));
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

@@ -19,13 +19,14 @@ void set_reference(TruthMesh& truth, std::size_t begin, std::size_t end)
   std::fill(truth.reference.begin() + std::ptrdiff_t(begin), truth.reference.begin() + std::ptrdiff_t(end), rms);
 }
 
-void draw_judged(TruthMesh& truth, std::vector<std::uint32_t> candidates, std::size_t count)
+void draw_judged(TruthMesh& truth, std::vector<std::uint32_t> known, std::size_t count)
 {
+  truth.known.insert(truth.known.end(), known.begin(), known.end());
   std::mt19937 generator(20091);
-  std::shuffle(candidates.begin(), candidates.end(), generator);
-  candidates.resize(std::min(count, candidates.size()));
-  std::sort(candidates.begin(), candidates.end());
-  truth.judged.insert(truth.judged.end(), candidates.begin(), candidates.end());
+  std::shuffle(known.begin(), known.end(), generator);
+  known.resize(std::min(count, known.size()));
+  std::sort(known.begin(), known.end());
+  truth.judged.insert(truth.judged.end(), known.begin(), known.end());
 }
 
 TriangleMesh with_noise(const TruthMesh& truth, double sigma, std::uint32_t seed)

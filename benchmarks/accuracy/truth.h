@@ -20,14 +20,15 @@ struct TruthMesh {
   std::vector<double> kappa_max, kappa_min;  ///< 1/L, positive where the solid is convex
   std::vector<Vec3> dir_max;
   std::vector<double> reference;      ///< 1/L: root mean square κ that errors at the vertex are relative to
-  std::vector<std::uint32_t> judged;  ///< the vertices that methods are judged at
+  std::vector<std::uint32_t> known;   ///< the vertices whose truth is known
+  std::vector<std::uint32_t> judged;  ///< those of them that methods are judged at
 };
 
 /// Fills `reference` of vertices [begin, end) with the root mean square of their κ.
 void set_reference(TruthMesh& truth, std::size_t begin, std::size_t end);
 
-/// Judges at `count` vertices drawn from `candidates` without repetition, always the same.
-void draw_judged(TruthMesh& truth, std::vector<std::uint32_t> candidates, std::size_t count);
+/// The truth of the vertices `known` is known; judges at `count` of them, drawn without repetition, always the same.
+void draw_judged(TruthMesh& truth, std::vector<std::uint32_t> known, std::size_t count);
 
 /// Moves every vertex along the true normal by Gaussian noise of standard deviation `sigma` times the average edge.
 TriangleMesh with_noise(const TruthMesh& truth, double sigma, std::uint32_t seed);

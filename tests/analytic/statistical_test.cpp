@@ -243,6 +243,23 @@ TEST(Statistical, TheRimOfACoinHasNoCurvatureAcrossUnderNoise)
   }
 }
 
+// To the balls a rod no thicker than they are looks like a crease, but all over: creases are lines.
+TEST(Statistical, ThinRodsAreNoCreasesUnderNoise)
+{
+  constexpr double pi = 3.14159265358979, axis_radius = 40;
+  struct Case {
+    double radius, sigma, largest_error;
+  };
+  for (const Case& c : {Case{2, 0.1, 0.06}, Case{3, 0.3, 0.15}, Case{5, 0.5, 0.13}}) {
+    const TriangleMesh clean =
+        torus(axis_radius, c.radius, int(2 * pi * axis_radius), int(std::lround(2 * pi * c.radius)));
+    const Result r = compute_curvature(with_normal_noise(clean, c.sigma * average_edge_length(clean)), statistical());
+    double error = 0;
+    for (const double kappa : r.kappa_max) error += std::abs(kappa * c.radius - 1) / double(r.kappa_max.size());
+    EXPECT_LT(error, c.largest_error) << "radius " << c.radius << " noise " << c.sigma;
+  }
+}
+
 // A cylinder that ends in half spheres: one of its curvatures jumps, between vertices in no order.
 TEST(Statistical, BesideAJumpOfTheCurvatureFitsKeepToTheirSideWithoutNoise)
 {

@@ -4,6 +4,7 @@
 #include "integral_invariant/radius/creases.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -12,6 +13,7 @@
 
 #include "integral_invariant/curvature/offset_free.h"
 #include "integral_invariant/radius/whole_balls.h"
+#include "integral_invariant/support/grid_pool.h"
 
 namespace integral_invariant {
 
@@ -53,6 +55,30 @@ bool is_polynomial(const VertexFit& fit)
   constexpr double largest_residual = 0.02, largest_kr = 1.3;
   return fit.tensor.confidence > 0 && fit.residual >= 0 && fit.residual < largest_residual * largest_residual &&
          largest_absolute_curvature(fit.tensor) * fit.reach < largest_kr;
+}
+
+bool has_any(const std::vector<char>& flags) { return std::find(flags.begin(), flags.end(), 1) != flags.end(); }
+
+/// Creases are lines, and a third of the vertices around them is theirs. Under noise a rod no thicker than the balls
+/// looks like a crease all over, and smooth parts do here and there by chance.
+void keep_lines(const Surface& surface, const Noise& noise, double radius, std::vector<char>& is_crease,
+                Execution& execution)
+{
+  constexpr double least_doubt = 0.25, least_share = 0.05, largest_share = 0.5, pool_cell = 6.5;
+  std::vector<char> is_doubted;
+  resize_in_steps(is_doubted, is_crease.size(), execution);
+  for_each_index(is_crease.size(), execution, [&](std::size_t v) {
+    is_doubted[v] = is_crease[v] && doubt_of_fold(radius, noise.density[v]) > least_doubt;
+  });
+  if (!has_any(is_doubted)) return;
+  std::vector<std::array<double, 2>> counts;
+  resize_in_steps(counts, is_crease.size(), execution);
+  for_each_index(counts.size(), execution, [&](std::size_t v) { counts[v] = {double(is_crease[v]), 1}; });
+  GridPool(surface.positions(), pool_cell, execution).sum_around(counts, execution);
+  for_each_index(counts.size(), execution, [&](std::size_t v) {
+    const double share = counts[v][0] / counts[v][1];
+    if (is_doubted[v] && (share < least_share || share > largest_share)) is_crease[v] = 0;
+  });
 }
 
 /// Along the edges from the vertices in `is_start`, as far as `limit`.
@@ -98,7 +124,8 @@ Creases find_creases(const Surface& surface, const TensorField& tensors, const s
     creases.is_crease[v] =
         (is_smooth.empty() || !is_smooth[v]) && is_fold(v, int(scale), tensors, noise) && !is_polynomial(fits[v]);
   });
-  if (std::find(creases.is_crease.begin(), creases.is_crease.end(), 1) == creases.is_crease.end()) return {};
+  if (has_any(creases.is_crease)) keep_lines(surface, noise, radii[scale], creases.is_crease, execution);
+  if (!has_any(creases.is_crease)) return {};
   creases.distance = distances(surface, creases.is_crease, radii.back(), execution);
   return creases;
 }
