@@ -3,8 +3,8 @@
 //
 // cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
 // each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
-// cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth. vertices: one
-// cell, a line each vertex.
+// cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth. vertices:
+// the table of one cell's vertices that learned_bound.py reads.
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -21,9 +21,9 @@ struct Creases {
 /// Across a fold the curvature of a ball falls as 1/r, over a smooth part it hardly depends on r: a crease is where
 /// |κ|r stands out of the noise in the smallest ball beyond two edges, or under strong noise in the next, and |κ| falls
 /// to the scale after it. Tensors of balls that a boundary cuts do not count, nor vertices through whose neighbours a
-/// polynomial runs: `fits` tells a sharp ridge without noise from a fold, `is_smooth` (n flags, or nothing) another sheet
-/// beside a smooth one. Creases are lines: what looks like one nearly everywhere or almost nowhere around, as thin rods
-/// do under noise, is none. Cost O(n), and O(n log n) where there are creases.
+/// polynomial runs: `fits` tells a sharp ridge without noise from a fold, `is_smooth` (n flags, or nothing) another
+/// sheet beside a smooth one. Creases are lines: what looks like one nearly everywhere or almost nowhere around, as
+/// thin rods do under noise, is none. Cost O(n), and O(n log n) where there are creases.
 Creases find_creases(const Surface& surface, const TensorField& tensors, const std::vector<VertexFit>& fits,
                      const Noise& noise, const std::vector<char>& is_smooth, Execution& execution);
 
