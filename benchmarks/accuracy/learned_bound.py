@@ -7,11 +7,11 @@
 A network sees the noisy heights within 5.2 ē of a vertex over the true tangent plane, on a hexagonal grid turned by
 chance, and says the principal curvatures. It is taught with the true ones of the blocks of one colour of a chessboard of
 15 ē, under fresh noise in every epoch, and judged at the others under the noise of the benchmark; then the colours change
-places. It so knows what no estimator may know: the noise's level, the tangent plane, and how this surface bends. What it
+places. So it knows what no estimator may know: the noise's level, the tangent plane, and how this surface bends. What it
 misses is not in the data, as far as a network of this size can tell.
 
 One network learns the least mean error, one the largest share of small errors, which the median is about. VERTICES.csv
-is what `accuracy vertices` prints. Needs numpy, scipy and torch; minutes to a quarter of an hour on two processors.
+is what `accuracy vertices` prints. Needs numpy, scipy and torch; five to fifteen minutes on two processors.
 """
 import csv
 import math
