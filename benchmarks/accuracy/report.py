@@ -119,13 +119,18 @@ def peers_table(ours, peers):
                  [line for _, line in sorted(lines, key=lambda pair: pair[0])])
 
 
-def learned_table(learned, peers):
+def learned_table(learned, ours, peers):
     """This library and the best other estimators beside regressions that were taught the truth (learned_bound.py)."""
     by_mean, by_median = best_peers(peers, "mean"), best_peers(peers, "median")
-    lines = [[row["shape"], f"{row['sigma']:g}", f"{row['taught']:g}", percent(row["our_mean"]),
-              percent(row["learned_mean"]), percent(by_mean[row["cell"]]["mean"]), percent(row["our_median"]),
-              percent(row["learned_median"]), percent(by_median[row["cell"]]["median"])]
-             for row in learned if row["cell"] in by_mean]
+    own = {row["cell"]: row for row in ours}
+    lines = []
+    for row in learned:
+        cell = row["cell"]
+        if cell not in own or cell not in by_mean:
+            continue
+        lines.append([row["shape"], f"{row['sigma']:g}", f"{row['taught']:g}", percent(own[cell]["mean"]),
+                      percent(row["mean"]), percent(by_mean[cell]["mean"]), percent(own[cell]["median"]),
+                      percent(row["median"]), percent(by_median[cell]["median"])])
     return table(["shape", "σ/ē", "taught vertices", "mean %: this library", "taught the truth", "best peer",
                   "median %: this library", "taught the truth", "best peer by its median"], lines)
 
@@ -186,7 +191,7 @@ def main():
         "peers": peers_table(ours, peers),
         "regular": cells_table(ours, peers, lambda r: r["meshing"] == "regular"),
         "meshing": cells_table(ours, peers, lambda r: r["meshing"] in ("irregular", "graded", "slivers")),
-        "learned": learned_table(read(results / "learned.csv"), peers),
+        "learned": learned_table(read(results / "learned.csv"), ours, peers),
         "cost": cost_table(read(results / "cost.csv")),
         "cad": cells_table(ours, peers, lambda r: r["meshing"] == "cad"),
     }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vertex_table.h"
 
-#include <cmath>
 #include <cstdio>
 
-#include "integral_invariant/pipeline.h"
 #include "support/shapes.h"
 
 namespace accuracy {
@@ -28,15 +26,13 @@ std::vector<Role> roles_of(const TruthMesh& truth)
 void print_vertices(const TruthMesh& truth, const TriangleMesh& noisy)
 {
   const double edge = test_support::average_edge_length(truth.mesh);
-  const Result ours = compute_curvature(noisy, {});
   const std::vector<Role> roles = roles_of(truth);
-  std::puts("x,y,z,nx,ny,nz,offset,kappa_max,kappa_min,reference,role,our_kappa_max,our_kappa_min");
+  std::puts("x,y,z,nx,ny,nz,offset,kappa_max,kappa_min,reference,role");
   for (std::size_t v = 0; v < roles.size(); ++v) {
     const Vec3 p = truth.mesh.positions[v] * (1 / edge), n = truth.normal[v];
     const double offset = dot(noisy.positions[v] - truth.mesh.positions[v], n) / edge;
-    std::printf("%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d,%.9g,%.9g\n", p.x, p.y, p.z, n.x, n.y, n.z,
-                offset, truth.kappa_max[v] * edge, truth.kappa_min[v] * edge, truth.reference[v] * edge, roles[v],
-                ours.kappa_max[v] * edge, ours.kappa_min[v] * edge);
+    std::printf("%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d\n", p.x, p.y, p.z, n.x, n.y, n.z, offset,
+                truth.kappa_max[v] * edge, truth.kappa_min[v] * edge, truth.reference[v] * edge, roles[v]);
   }
 }
 

@@ -7,8 +7,8 @@
 namespace accuracy {
 
 /// One line a vertex: place on the exact surface, true normal, how far noise moved it along that normal, true κ, the
-/// value errors are relative to, 0 or 1 whether its truth is known, 2 where it is judged, κ of compute_curvature() with
-/// its defaults. In average edge lengths of the exact mesh, and their inverse.
+/// value errors are relative to, role (0 its truth is not known, 1 it is, 2 it is judged). In average edge lengths of
+/// the exact mesh, and their inverse.
 void print_vertices(const TruthMesh& truth, const TriangleMesh& noisy);
 
 }  // namespace accuracy
