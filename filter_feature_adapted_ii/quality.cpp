@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integral_invariant/support/pi.h"
+
 namespace integral_invariant::filter {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 struct QuantityFacts {
   const char *label, *key, *unit;

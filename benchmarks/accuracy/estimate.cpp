@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integral_invariant/support/pi.h"
+
 namespace accuracy {
 
 using namespace integral_invariant;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double finite(double value) { return std::isfinite(value) ? value : 0; }
 

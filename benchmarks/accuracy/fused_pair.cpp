@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "implicit_curvature.h"
+#include "integral_invariant/support/pi.h"
 #include "sphere_meshes.h"
 #include "support/shapes.h"
 
@@ -13,7 +14,6 @@ using namespace integral_invariant;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double scale = 8, hole_angle = 0.4, neck_length = 0.8, neck_tangent = 0.5;
 
 using RadialFunction = std::function<double(const Vec3&)>;

@@ -191,10 +191,11 @@ def main():
         "peers": peers_table(ours, peers),
         "regular": cells_table(ours, peers, lambda r: r["meshing"] == "regular"),
         "meshing": cells_table(ours, peers, lambda r: r["meshing"] in ("irregular", "graded", "slivers")),
-        "learned": learned_table(read(results / "learned.csv"), ours, peers),
         "cost": cost_table(read(results / "cost.csv")),
         "cad": cells_table(ours, peers, lambda r: r["meshing"] == "cad"),
     }
+    if (results / "learned.csv").exists():
+        tables["learned"] = learned_table(read(results / "learned.csv"), ours, peers)
     page = docs / "accuracy.md"
     text = page.read_text()
     for name, content in tables.items():

@@ -9,6 +9,7 @@
 
 #include "fused_pair.h"
 #include "implicit_curvature.h"
+#include "integral_invariant/support/pi.h"
 #include "support/shapes.h"
 
 namespace accuracy {
@@ -17,7 +18,6 @@ using namespace integral_invariant;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int star_vertices = 10242, pair_vertices = 1000;
 constexpr std::size_t judged_vertices = 800;
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <random>
 
+#include "integral_invariant/support/pi.h"
 #include "support/shapes.h"
 
 namespace accuracy {
@@ -19,8 +20,6 @@ namespace accuracy {
 using namespace integral_invariant;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Vertices in the order of `points`, triangles sorted: CGAL promises neither order.
 TriangleMesh hull(const std::vector<Vec3>& points)

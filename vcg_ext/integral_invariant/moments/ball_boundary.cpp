@@ -9,10 +9,6 @@
 
 namespace integral_invariant {
 
-namespace {
-
-}  // namespace
-
 void ArcSums::add(const Vec3& a, const Vec3& b, double times, const Vec3& pole)
 {
   const ArcTerms arc = great_arc(a, b);

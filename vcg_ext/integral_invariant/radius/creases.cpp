@@ -65,19 +65,17 @@ void keep_lines(const Surface& surface, const Noise& noise, double radius, std::
                 Execution& execution)
 {
   constexpr double least_doubt = 0.25, least_share = 0.05, largest_share = 0.5, pool_cell = 6.5;
-  std::vector<char> is_doubted;
-  resize_in_steps(is_doubted, is_crease.size(), execution);
-  for_each_index(is_crease.size(), execution, [&](std::size_t v) {
-    is_doubted[v] = is_crease[v] && doubt_of_fold(radius, noise.density[v]) > least_doubt;
-  });
-  if (!has_any(is_doubted)) return;
+  const auto is_doubted = [&](std::size_t v) { return doubt_of_fold(radius, noise.density[v]) > least_doubt; };
+  std::size_t doubted = 0;
+  for_each_in_order(is_crease.size(), execution, [&](std::size_t v) { doubted += is_crease[v] && is_doubted(v); });
+  if (doubted == 0) return;
   std::vector<std::array<double, 2>> counts;
   resize_in_steps(counts, is_crease.size(), execution);
   for_each_index(counts.size(), execution, [&](std::size_t v) { counts[v] = {double(is_crease[v]), 1}; });
   GridPool(surface.positions(), pool_cell, execution).sum_around(counts, execution);
   for_each_index(counts.size(), execution, [&](std::size_t v) {
     const double share = counts[v][0] / counts[v][1];
-    if (is_doubted[v] && (share < least_share || share > largest_share)) is_crease[v] = 0;
+    if (is_doubted(v) && (share < least_share || share > largest_share)) is_crease[v] = 0;
   });
 }
 
