@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // accuracy peers|ours|cost|oracle|vertices [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
+// accuracy families [--seed N] [--half tuning|report] [--models FOLDER] [--cells TEXT] [--csv FILE]
 //
+// families: see families/run_families.h.
 // cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
 // each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
 // cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth. vertices:
@@ -16,6 +18,7 @@
 
 #include "cells.h"
 #include "estimate.h"
+#include "families/run_families.h"
 #include "integral_invariant/pipeline.h"
 #include "oracle.h"
 #include "peers/peer.h"
@@ -141,6 +144,12 @@ void run_cost(const Cell& cell, const TruthMesh& truth)
 
 int main(int argc, char** argv)
 try {
+#ifdef II_WITH_VCG
+  if (argc > 1 && !std::strcmp(argv[1], "families")) {
+    run_families(argc, argv);
+    return EXIT_SUCCESS;
+  }
+#endif
   const Options options = read_options(argc, argv);
   if (options.mode == "cost")
     std::puts("shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds");

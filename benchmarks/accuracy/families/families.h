@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kinds of mesh that pipelines make: noise × meshing, each on several shapes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "families/exact_shape.h"
+#include "families/shape_catalogue.h"
+
+namespace accuracy {
+
+struct FamilyCell {
+  std::string family;
+  ExactShape shape;
+  double level = 0;  ///< of the noise, in average edges; what it means for the family stands in families.cpp
+  std::uint32_t seed = 0;
+  /// The mesh that the methods get, and what is true of it.
+  std::function<TruthMesh(const FamilyCell&)> make;
+
+  std::string name() const { return family + '/' + shape.name; }
+};
+
+/// Every family on each of its shapes; the same seed gives the same cells. `models`: the folder of the CAD models with
+/// exact curvature, which the tuning half has in its families of weak noise; empty: without them.
+std::vector<FamilyCell> draw_cells(Half half, std::uint32_t seed, const std::string& models);
+
+}  // namespace accuracy
