@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // accuracy peers|ours|cost|oracle|vertices [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
 // accuracy families [--seed N] [--half tuning|report] [--models FOLDER] [--cells TEXT] [--csv FILE]
+// accuracy scans FOLDER
+// accuracy frame SEED FILE...
+// accuracy creases FILE...
 //
-// families: see families/run_families.h.
+// families, scans, frame, creases: see families/run_families.h, cross_scan.h, frame.h, crease_quality.h.
 // cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
 // each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
 // cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth. vertices:
@@ -17,8 +20,11 @@
 #include <string>
 
 #include "cells.h"
+#include "crease_quality.h"
+#include "cross_scan.h"
 #include "estimate.h"
 #include "families/run_families.h"
+#include "frame.h"
 #include "integral_invariant/pipeline.h"
 #include "oracle.h"
 #include "peers/peer.h"
@@ -140,16 +146,33 @@ void run_cost(const Cell& cell, const TruthMesh& truth)
   std::fflush(stdout);
 }
 
+/// The modes that do not go through the cells of cells.h; false: it is none of them.
+bool runs_mode_of_its_own(int argc, char** argv)
+{
+  const std::string mode = argc > 1 ? argv[1] : "";
+  const std::vector<std::string> arguments(argv + std::min(argc, 2), argv + argc);
+#ifdef II_WITH_VCG
+  if (mode == "families") {
+    run_families(argc, argv);
+    return true;
+  }
+#endif
+  if (mode == "scans" && arguments.size() == 1)
+    print_cross_scan_scores(arguments[0]);
+  else if (mode == "frame" && arguments.size() > 1)
+    print_frame_dependence({arguments.begin() + 1, arguments.end()}, std::uint32_t(std::stoul(arguments[0])));
+  else if (mode == "creases" && !arguments.empty())
+    print_crease_quality(arguments);
+  else
+    return false;
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 try {
-#ifdef II_WITH_VCG
-  if (argc > 1 && !std::strcmp(argv[1], "families")) {
-    run_families(argc, argv);
-    return EXIT_SUCCESS;
-  }
-#endif
+  if (runs_mode_of_its_own(argc, argv)) return EXIT_SUCCESS;
   const Options options = read_options(argc, argv);
   if (options.mode == "cost")
     std::puts("shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds");
