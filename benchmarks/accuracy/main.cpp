@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // accuracy peers|ours|cost|oracle|vertices [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
 // accuracy families [--seed N] [--half tuning|report] [--models FOLDER] [--cells TEXT] [--csv FILE]
+// accuracy family_peers [--seed N] [--cells TEXT] > table.csv
 // accuracy scans FOLDER
 // accuracy frame SEED FILE...
 // accuracy creases FILE...
 //
-// families, scans, frame, creases: see families/run_families.h, cross_scan.h, frame.h, crease_quality.h.
+// These are described in families/run_families.h, families/family_peers.h, cross_scan.h, frame.h, crease_quality.h.
 // cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
 // each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
 // cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth. vertices:
@@ -23,6 +24,7 @@
 #include "crease_quality.h"
 #include "cross_scan.h"
 #include "estimate.h"
+#include "families/family_peers.h"
 #include "families/run_families.h"
 #include "frame.h"
 #include "integral_invariant/pipeline.h"
@@ -154,6 +156,10 @@ bool runs_mode_of_its_own(int argc, char** argv)
 #ifdef II_WITH_VCG
   if (mode == "families") {
     run_families(argc, argv);
+    return true;
+  }
+  if (mode == "family_peers") {
+    run_family_peers(argc, argv);
     return true;
   }
 #endif

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
 #include <random>
 
 #include "cad_models.h"
@@ -265,25 +263,12 @@ void add_textures(std::uint32_t seed, std::vector<FamilyCell>& cells)
   }
 }
 
-/// The same mesh each time, computed once for each number of vertices.
-void keep_meshes(ExactShape& shape)
-{
-  const auto kept = std::make_shared<std::map<int, TriangleMesh>>();
-  const auto make = shape.mesh;
-  shape.mesh = [kept, make](int vertices) {
-    const auto [it, is_new] = kept->try_emplace(vertices);
-    if (is_new) it->second = make(vertices);
-    return it->second;
-  };
-}
-
 }  // namespace
 
 std::vector<FamilyCell> draw_cells(Half half, std::uint32_t seed, const std::string& models)
 {
   std::mt19937 generator(mixed("shapes", seed));
-  std::vector<ExactShape> shapes = draw_shapes(half, generator);
-  for (ExactShape& shape : shapes) keep_meshes(shape);
+  const std::vector<ExactShape> shapes = draw_shapes(half, generator);
   std::vector<Family> families = noise_families();
   for (Family& family : meshing_families()) families.push_back(std::move(family));
   std::vector<FamilyCell> cells;
@@ -292,6 +277,22 @@ std::vector<FamilyCell> draw_cells(Half half, std::uint32_t seed, const std::str
       if (!family.height_fields_only || shape.is_height_field) cells.push_back(drawn(family, shape, seed));
   add_weakly_noisy_cad(shapes, half == Half::tuning ? models : "", seed, cells);
   add_textures(seed, cells);
+  return cells;
+}
+
+std::vector<FamilyCell> draw_peer_cells(std::uint32_t seed)
+{
+  std::mt19937 generator(mixed("shapes", seed));
+  const std::vector<ExactShape> shapes = draw_shapes(Half::tuning, generator);
+  std::vector<FamilyCell> cells;
+  for (const char* level : {"0.05", "0.1", "0.2", "0.5", "1"})
+    for (const ExactShape& shape : shapes)
+      cells.push_back(drawn({std::string("white_") + level, std::stod(level), std::stod(level), white(fine_vertices)},
+                            shape, seed));
+  for (const FamilyCell& cell : draw_cells(Half::tuning, seed, ""))
+    for (const char* family : {"smoothed_3", "correlated_3", "mask", "reconstructed", "remeshed", "coordinate_steps"})
+      if (cell.family == family && (cell.shape.name == "torus" || cell.shape.name == "bumpy_sphere"))
+        cells.push_back(cell);
   return cells;
 }
 

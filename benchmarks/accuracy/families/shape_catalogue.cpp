@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "families/base_meshes.h"
@@ -177,6 +179,18 @@ ExactShape wavy_patch(const std::string& name, double least, double largest, std
       generator);
 }
 
+/// The same mesh each time, computed once for each number of vertices.
+void keep_meshes(ExactShape& shape)
+{
+  const auto kept = std::make_shared<std::map<int, TriangleMesh>>();
+  const auto make = shape.mesh;
+  shape.mesh = [kept, make](int vertices) {
+    const auto [it, is_new] = kept->try_emplace(vertices);
+    if (is_new) it->second = make(vertices);
+    return it->second;
+  };
+}
+
 }  // namespace
 
 std::vector<ExactShape> draw_shapes(Half half, std::mt19937& g)
@@ -198,6 +212,7 @@ std::vector<ExactShape> draw_shapes(Half half, std::mt19937& g)
     shapes.push_back(torus(g, true));
     shapes.push_back(wavy_patch("waves_patch", 3, 6, g));
   }
+  for (ExactShape& shape : shapes) keep_meshes(shape);
   return shapes;
 }
 

@@ -33,5 +33,9 @@ void add_vcg_quadric_peer(const TriangleMesh& mesh, PeerList& peers);
 void add_vcg_pca_peer(const TriangleMesh& mesh, PeerList& peers);
 /// CGAL's jets of degree 2 to 4 through the vertices within a radius.
 void add_cgal_jet_peers(const TriangleMesh& mesh, PeerList& peers);
+/// Interpolated corrected curvature measures over a radius and over half of it, on normals of planes fitted within it.
+void add_corrected_current_peers(const TriangleMesh& mesh, PeerList& peers);
+/// Algebraic point set surfaces of a radius.
+void add_algebraic_sphere_peer(const TriangleMesh& mesh, PeerList& peers);
 
 }  // namespace accuracy
