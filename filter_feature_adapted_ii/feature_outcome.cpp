@@ -34,11 +34,12 @@ constexpr int curvature_share = 85;
 
 /// Curvatures, and the stage that works on them.
 struct Measured {
-  Measured(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
-      : result(compute_curvature(mesh, request.method, first_part(progress, curvature_share))),
+  Measured(const CanonicalMesh& canonical, const Request& request, const ProgressCallback& progress)
+      : result(compute_curvature(canonical.mesh, request.method, first_part(progress, curvature_share))),
         execution(begun(request, last_part(progress, curvature_share))),
-        surface(mesh, execution)
+        surface(canonical.mesh, execution)
   {
+    canonical.complete(result.surface);
   }
 
   Result result;
@@ -78,29 +79,20 @@ void add_log(Measured& measured, const char* title, const std::vector<std::strin
   outcome.values.emplace_back("seconds", seconds);
 }
 
-/// Values of the vertices in canonical order, as the caller has them.
-template <class Value>
-std::vector<Value> in_order_of(const std::vector<std::uint32_t>& caller, const std::vector<Value>& values)
-{
-  std::vector<Value> result(values.size());
-  for (std::size_t v = 0; v < values.size(); ++v) result[caller[v]] = values[v];
-  return result;
-}
-
 FeatureOutcome ridges_and_valleys(const CanonicalMesh& canonical, const Request& request,
                                   const ProgressCallback& progress)
 {
   const RidgeValleyParameters& p = request.ridge_valley;
   if (!p.ridges && !p.valleys) throw ParameterError("Nothing is asked for: set 'ridges' or 'valleys' to true.");
-  Measured measured(canonical.mesh, request, progress);
+  Measured measured(canonical, request, progress);
   measured.execution.begin_stage("ridges and valleys", 100);
   const RidgeValleyRegions found = find_ridges_and_valleys(measured.surface, measured.result, p, measured.execution);
 
   FeatureOutcome outcome;
-  outcome.selection = in_order_of(canonical.caller, found.region);
+  outcome.selection = canonical.for_caller(found.region);
   NamedValues kind{"ii_feature", {}};
   int ridges = 0, valleys = 0, vertices = 0;
-  for (const FeatureKind k : in_order_of(canonical.caller, found.kind)) {
+  for (const FeatureKind k : canonical.for_caller(found.kind)) {
     kind.values.push_back(float(k));
     vertices += k != FeatureKind::none;
     if (request.output.colorize)
@@ -123,17 +115,17 @@ FeatureOutcome ridges_and_valleys(const CanonicalMesh& canonical, const Request&
   return outcome;
 }
 
-FeatureOutcome crest_lines(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
+FeatureOutcome crest_lines(const CanonicalMesh& canonical, const Request& request, const ProgressCallback& progress)
 {
   if (!request.crest.ridges && !request.crest.valleys)
     throw ParameterError("Nothing is asked for: set 'ridges' or 'valleys' to true.");
-  Measured measured(mesh, request, progress);
+  Measured measured(canonical, request, progress);
   measured.execution.begin_stage("crest lines", 100);
   const std::vector<CrestLine> lines =
       find_crest_lines(measured.surface, curvature_field(measured.result), request.crest, measured.execution);
 
   FeatureOutcome outcome;
-  outcome.lines = crest_layer(mesh, measured.result, lines, {request.output.colorize, request.layer.lift});
+  outcome.lines = crest_layer(canonical.mesh, measured.result, lines, {request.output.colorize, request.layer.lift});
   double ridge_length = 0, valley_length = 0;
   for (const CrestLine& line : lines) (line.kind == FeatureKind::ridge ? ridge_length : valley_length) += line.length;
   outcome.values = {{"lines", int(lines.size())},
@@ -148,12 +140,12 @@ FeatureOutcome crest_lines(const TriangleMesh& mesh, const Request& request, con
   return outcome;
 }
 
-FeatureOutcome principal_directions(const TriangleMesh& mesh, const Request& request, const ProgressCallback& progress)
+FeatureOutcome principal_directions(const CanonicalMesh& canonical, const Request& request, const ProgressCallback& progress)
 {
   DirectionParameters p = request.direction;
   p.memory_limit_mb = request.method.memory_limit_mb;
   if (!p.maximal && !p.minimal) throw ParameterError("Nothing is asked for: set 'maximal' or 'minimal' to true.");
-  Measured measured(mesh, request, progress);
+  Measured measured(canonical, request, progress);
   measured.execution.begin_stage("directions", 100);
   const CurvatureField field = curvature_field(measured.result);
   const LineStyle style{request.output.colorize, request.layer.lift};
@@ -162,7 +154,7 @@ FeatureOutcome principal_directions(const TriangleMesh& mesh, const Request& req
   std::string found;
   if (request.layer.style == DirectionStyle::segments) {
     const auto segments = direction_segments(measured.surface, field, p, measured.execution);
-    outcome.lines = segment_layer(mesh, measured.result, segments, style);
+    outcome.lines = segment_layer(canonical.mesh, measured.result, segments, style);
     outcome.values = {{"lines", int(segments.size())}};
     found = "Drawn: " + std::to_string(segments.size()) + " segments";
   } else {
@@ -173,7 +165,7 @@ FeatureOutcome principal_directions(const TriangleMesh& mesh, const Request& req
       length += line.length;
       closed += line.closed;
     }
-    outcome.lines = curvature_line_layer(mesh, measured.result, lines, style);
+    outcome.lines = curvature_line_layer(canonical.mesh, measured.result, lines, style);
     outcome.values = {{"lines", int(lines.size())}, {"closed_lines", closed}, {"length", length}};
     found = "Traced: " + std::to_string(lines.size()) + " lines, " + std::to_string(closed) + " of them closed, " +
             short_number(length) + " long together";
@@ -239,9 +231,9 @@ FeatureOutcome compute_feature(FilterId filter, const TriangleMesh& mesh, const 
     case FilterId::ridges_and_valleys:
       return ridges_and_valleys(canonical_mesh(mesh, request, progress), request, progress);
     case FilterId::crest_lines:
-      return crest_lines(canonical_mesh(mesh, request, progress).mesh, request, progress);
+      return crest_lines(canonical_mesh(mesh, request, progress), request, progress);
     case FilterId::principal_directions:
-      return principal_directions(canonical_mesh(mesh, request, progress).mesh, request, progress);
+      return principal_directions(canonical_mesh(mesh, request, progress), request, progress);
     case FilterId::signature:
       return signature(mesh, request, progress);  // no stage of it depends on the order
     case FilterId::curvature:

@@ -59,7 +59,7 @@ std::string convergence_line(const Result& result)
   const Statistics radius = statistics(result.radius);
   return "Radius: " + short_number(radius.minimum) + " to " + short_number(radius.maximum) + ", median " +
          short_number(radius.median) + "; " + std::to_string(result.converged) + " of " +
-         std::to_string(result.radius.size()) + " vertices converged, " + short_number(result.mean_iterations) +
+         std::to_string(result.radius.size() - result.surface.joined_vertices) + " vertices converged, " + short_number(result.mean_iterations) +
          " iterations on average, " + std::to_string(result.largest_iterations) + " at most";
 }
 
@@ -79,6 +79,7 @@ void add_defect_line(const Result& result, std::vector<std::string>& lines)
 {
   const SurfaceReport& report = result.surface;
   const std::pair<std::size_t, const char*> counts[] = {
+      {report.joined_vertices, "vertices joined with another at the same place"},
       {report.boundary_edges, "boundary edges"},
       {report.inconsistent_edges, "edges with inconsistently oriented triangles"},
       {report.duplicate_triangles, "duplicate triangles"},
@@ -166,6 +167,7 @@ std::vector<std::pair<std::string, SummaryValue>> summary_values(const Outcome& 
       {"converged", count(result.converged)},
       {"mean_iterations", result.mean_iterations},
       {"low_confidence", count(low_confidence_count(result))},
+      {"joined_vertices", count(result.surface.joined_vertices)},
       {"boundary_edges", count(result.surface.boundary_edges)},
       {"seconds", total_seconds(result)},
       {"engine", result.engine},

@@ -95,5 +95,22 @@ TEST_P(FeatureOrder, ChangesNoBitWithAnyNumberOfThreads)
   }
 }
 
+TEST_P(FeatureOrder, ATriangleSoupHasWhatTheWeldedMeshHas)
+{
+  const TriangleMesh mesh = GetParam().mesh();
+  const test_support::Soup other = test_support::soup(mesh);
+  const FeatureOutcome welded = outcome_of(GetParam().filter, mesh, 1, DirectionStyle::traced);
+  const FeatureOutcome apart = outcome_of(GetParam().filter, other.mesh, 1, DirectionStyle::traced);
+  ASSERT_EQ(apart.lines.has_value(), welded.lines.has_value());
+  if (welded.lines) {
+    EXPECT_FALSE(welded.lines->edges.empty());
+    EXPECT_TRUE(apart.lines->positions == welded.lines->positions);
+    EXPECT_EQ(apart.lines->edges, welded.lines->edges);
+    EXPECT_EQ(apart.lines->quality, welded.lines->quality);
+  }
+  if (!welded.selection.empty()) { EXPECT_EQ(apart.selection, other.copies(welded.selection)); }
+  if (!welded.quality.empty()) { EXPECT_EQ(apart.quality, other.copies(welded.quality)); }
+}
+
 }  // namespace
 }  // namespace integral_invariant::filter

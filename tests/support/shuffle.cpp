@@ -24,4 +24,25 @@ ShuffledMesh shuffled(const integral_invariant::TriangleMesh& mesh, std::uint32_
   return s;
 }
 
+Soup soup(const integral_invariant::TriangleMesh& mesh)
+{
+  Soup result;
+  std::vector<char> used(mesh.positions.size(), 0);
+  for (const integral_invariant::Triangle& t : mesh.triangles) {
+    const auto first = std::int32_t(result.original.size());
+    for (const std::int32_t v : t) {
+      used[std::size_t(v)] = 1;
+      result.original.push_back(v);
+      result.mesh.positions.push_back(mesh.positions[std::size_t(v)]);
+    }
+    result.mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) continue;
+    result.original.push_back(std::int32_t(v));
+    result.mesh.positions.push_back(mesh.positions[v]);
+  }
+  return result;
+}
+
 }  // namespace test_support

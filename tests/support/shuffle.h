@@ -27,4 +27,20 @@ struct ShuffledMesh {
 /// Vertices and faces in a random order, each face from a random corner on; same seed, same order.
 ShuffledMesh shuffled(const integral_invariant::TriangleMesh& mesh, std::uint32_t seed);
 
+/// A mesh whose triangles share no vertex: each corner is a copy of its own. Vertices without a triangle come last.
+struct Soup {
+  integral_invariant::TriangleMesh mesh;
+  std::vector<std::int32_t> original;  ///< vertex v here is a copy of vertex original[v]
+
+  /// What belongs to the vertices of the original, as the copies should have it.
+  template <class Value>
+  std::vector<Value> copies(const std::vector<Value>& values) const
+  {
+    std::vector<Value> result;
+    for (const std::int32_t v : original) result.push_back(values.at(std::size_t(v)));
+    return result;
+  }
+};
+Soup soup(const integral_invariant::TriangleMesh& mesh);
+
 }  // namespace test_support

@@ -72,14 +72,19 @@ TEST(CanonicalOrder, VerticesThatBoundNothingComeLast)
   EXPECT_EQ(canonical.mesh.triangles.size(), 3u);
 }
 
-TEST(CanonicalOrder, VerticesAtOnePlaceKeepTheirOrder)
+TEST(CanonicalOrder, VerticesAtOnePlaceAreOne)
 {
-  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}}, {{4, 1, 2}, {0, 1, 2}, {3, 1, 2}}};
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+                          {{4, 1, 2}, {0, 1, 2}, {3, 1, 2}, {0, 1, 3}, {1, 1, 2}}};
   const CanonicalMesh canonical = in_canonical_order(mesh);
-  std::vector<std::uint32_t> at_origin;
-  for (const std::uint32_t v : canonical.caller)
-    if (norm(mesh.positions[v]) == 0) at_origin.push_back(v);
-  EXPECT_EQ(at_origin, (std::vector<std::uint32_t>{0, 3, 4}));
+  EXPECT_EQ(canonical.joined_vertices(), 2u);  // what no triangle uses stays on its own
+  EXPECT_EQ(canonical.mesh.positions.size(), 4u);
+  EXPECT_EQ(canonical.caller.back(), 5u);
+  EXPECT_EQ(canonical.vertex_of[0], canonical.vertex_of[3]);
+  EXPECT_EQ(canonical.vertex_of[0], canonical.vertex_of[4]);
+  EXPECT_EQ(canonical.caller[canonical.vertex_of[4]], 0u);
+  EXPECT_EQ(canonical.collapsed_triangles, 1u);
+  EXPECT_EQ(canonical.mesh.triangles.size(), 4u);
 }
 
 TEST(CanonicalOrder, CoordinatesThatOverflowAreOrderedToo)

@@ -19,6 +19,7 @@ Result two_vertices()
   result.confidence = {1, 0.25F};
   result.surface.vertices = 2;
   result.surface.boundary_edges = 3;
+  result.surface.joined_vertices = 1;
   result.scales = {0.5, 1.5};
   result.average_edge = 0.5;
   result.diagonal = 10;
@@ -48,14 +49,14 @@ TEST(Outcome, LinesTellScalesInAllUnitsAndDefects)
 {
   const std::string text = joined(summary_lines(make_outcome(two_vertices(), {})));
   for (const char* part : {"2 vertices", "radii 0.5 1.5", "edge lengths: 1 3", "% of the diagonal: 5 15",
-                           "3 boundary edges", "1 vertices with little", "Time: 2.00 s", "mean curvature in 1/L"})
+                           "3 boundary edges", "1 vertices joined", "1 vertices with little", "Time: 2.00 s", "mean curvature in 1/L"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
 }
 
 TEST(Outcome, ASoundMeshHasNoNote)
 {
   Result result = two_vertices();
-  result.surface.boundary_edges = 0;
+  result.surface.boundary_edges = result.surface.joined_vertices = 0;
   result.confidence = {1, 1};
   EXPECT_EQ(joined(summary_lines(make_outcome(result, {}))).find("Note:"), std::string::npos);
 }

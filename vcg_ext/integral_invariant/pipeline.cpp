@@ -161,6 +161,15 @@ void require_sensible_noise(double noise, double unit)
   throw ParameterError(text.str());
 }
 
+/// Every vertex of the caller that is a copy of one that was measured gets what that one has.
+void give_to_copies(const CanonicalMesh& canonical, Result& result)
+{
+  for (auto* values : {&result.kappa_max, &result.kappa_min, &result.radius, &result.standard_error})
+    canonical.give_to_copies(*values);
+  for (auto* vectors : {&result.dir_max, &result.dir_min, &result.normal}) canonical.give_to_copies(*vectors);
+  canonical.give_to_copies(result.confidence);
+}
+
 void describe_run(const Surface& surface, const std::vector<double>& scales, const Execution& execution, Result& result)
 {
   result.surface = surface.report();
@@ -197,7 +206,7 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   const std::vector<std::uint32_t>& caller = canonical.caller;
   const std::vector<double> scales = scale_radii(parameters, surface.unit());
   require_sensible_noise(parameters.noise, surface.unit());
-  require_memory_for_arrays(surface.vertex_count(), scales.size(), parameters.memory_limit_mb);
+  require_memory_for_arrays(mesh.positions.size(), scales.size(), parameters.memory_limit_mb);
 
   execution.begin_stage("ball moments", 80);
   auto engine = make_moment_engine(surface, parameters, execution);
@@ -206,12 +215,12 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   if (parameters.estimator == Estimator::yang06) {
     const TensorField tensors = tensors_at_all_scales(surface, *engine, scales, execution);
     engine.reset();  // before the arrays of the result: both would be the peak of memory
-    resize_result(surface.vertex_count(), result, execution);
+    resize_result(mesh.positions.size(), result, execution);
     curvature_at_one_radius(surface, caller, tensors, parameters, result, execution);
   } else {
     OffsetFreeField field = offset_free_at_all_scales(surface, *engine, scales, execution);
     engine.reset();
-    resize_result(surface.vertex_count(), result, execution);
+    resize_result(mesh.positions.size(), result, execution);
     if (parameters.radius_choice == RadiusChoice::statistical) {
       curvature_by_evidence(surface, caller, std::move(field), parameters, result, execution);
     } else {
@@ -219,9 +228,11 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
       curvature_at_one_radius(surface, caller, field.tensors, parameters, result, execution);
     }
   }
+  give_to_copies(canonical, result);
   execution.finish();
 
   describe_run(surface, scales, execution, result);
+  canonical.complete(result.surface);
   return result;
 }
 

@@ -15,6 +15,7 @@ struct Edge;
 /// What was found on checking a mesh. Counts only: nothing is repaired, deleted or renumbered.
 struct SurfaceReport {
   std::size_t vertices = 0, triangles = 0;
+  std::size_t joined_vertices = 0;  ///< copies of another vertex at the same place: they have its results
   std::size_t unreferenced_vertices = 0;
   std::size_t nonfinite_vertices = 0;   ///< a coordinate is NaN or infinite
   std::size_t left_out_triangles = 0;   ///< a vertex is used twice or is not finite

@@ -61,7 +61,7 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   canonical.mesh = {};  // the surface has its own
   const std::vector<double> radii = scale_radii(ladder, surface.unit());
   Signature signature;
-  allocate(signature, surface.vertex_count(), radii.size(), parameters.memory_limit_mb, execution);
+  allocate(signature, mesh.positions.size(), radii.size(), parameters.memory_limit_mb, execution);
 
   execution.begin_stage("ball moments", 100);
   const auto engine = make_moment_engine(surface, parameters, execution);
@@ -76,11 +76,14 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
         signature.values[2][scale][v] = storable((k.kappa_max - k.kappa_min) / unit);
       },
       execution);
+  for (auto& quantity : signature.values)
+    for (std::vector<float>& of_scale : quantity) canonical.give_to_copies(of_scale);
   signature.engine = engine->description(radii, execution);
   execution.finish();
 
   for (const double r : radii) signature.radii.push_back(r * unit);
   signature.surface = surface.report();
+  canonical.complete(signature.surface);
   signature.average_edge = unit;
   signature.diagonal = surface.diagonal() * unit;
   signature.stages = execution.stage_times();

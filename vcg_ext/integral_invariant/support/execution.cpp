@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "integral_invariant/support/error.h"
@@ -59,21 +60,23 @@ class Crew {
     for (std::thread& thread : threads_) thread.join();
   }
 
-  void start(int size, const RangeBody& body)
+  /// Starts up to `size` workers, fewer where the system has no more threads to give; says how many.
+  int start(int size, const RangeBody& body)
   {
+    threads_.reserve(std::size_t(size));
     for (int worker = 0; worker < size; ++worker) {
-      {
-        const std::lock_guard lock(mutex_);
-        ++active_;
-      }
+      change_active(+1);
       try {
         threads_.emplace_back([this, &body, worker] { run(body, worker); });
+      } catch (const std::system_error&) {
+        change_active(-1);
+        return worker;
       } catch (...) {
-        const std::lock_guard lock(mutex_);
-        --active_;
+        change_active(-1);
         throw;
       }
     }
+    return size;
   }
 
   /// True when all have ended, false after `duration`.
@@ -85,6 +88,12 @@ class Crew {
   }
 
  private:
+  void change_active(int by)
+  {
+    const std::lock_guard lock(mutex_);
+    active_ += by;
+  }
+
   void run(const RangeBody& body, int worker)
   {
     queue_.work(body, worker);
@@ -144,17 +153,17 @@ void parallel_for(std::size_t count, std::size_t grain, Execution& execution, co
   if (count == 0) return;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t blocks = (count + grain - 1) / grain;
-  if (blocks == 1 || execution.threads() == 1) {
+  const auto serial = [&] {
     for (std::size_t begin = 0; begin < count; begin += grain) {
       body(begin, std::min(begin + grain, count), 0);
       execution.report(from + (to - from) * double(std::min(begin + grain, count)) / double(count));
     }
-    return;
-  }
+  };
+  if (blocks == 1 || execution.threads() == 1) return serial();
   BlockQueue queue(count, grain);
   {
     Crew crew(queue);
-    crew.start(int(std::min<std::size_t>(blocks, std::size_t(execution.threads()))), body);
+    if (crew.start(int(std::min<std::size_t>(blocks, std::size_t(execution.threads()))), body) == 0) return serial();
     while (!crew.wait_for(poll_interval)) execution.report(from + (to - from) * queue.fraction());
   }
   if (queue.error()) std::rethrow_exception(queue.error());

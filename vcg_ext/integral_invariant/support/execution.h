@@ -63,7 +63,8 @@ class Execution {
 using RangeBody = std::function<void(std::size_t begin, std::size_t end, int worker)>;
 
 /// Calls `body` on consecutive blocks of at most `grain` indices that cover [0, count), on all workers; which worker
-/// takes which block is not defined, so results must depend on the index alone. Serial when one block is enough.
+/// takes which block is not defined, so results must depend on the index alone. Serial when one block is enough;
+/// on fewer workers, down to the calling thread, where the system has no more threads to give.
 /// Reports progress meanwhile: the stage's fraction runs from `from` to `to`.
 /// \throw the first exception thrown by a body; Cancelled. All workers have ended by then.
 void parallel_for(std::size_t count, std::size_t grain, Execution& execution, const RangeBody& body, double from = 0,

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "integral_invariant/support/execution.h"
+#include "integral_invariant/triangle_mesh.h"
+
+namespace integral_invariant {
+
+/// The distance between neighbouring values that the coordinates of largest magnitude could have: that of a decimal
+/// fraction where all coordinates are ones of few digits, that of single precision where they all fit into it, and
+/// otherwise that of double precision. 0 where there are no points.
+double coordinate_step(const std::vector<Vec3>& points);
+
+/// Seams whose two sides are off each other by rounding. Vertices on open edges are taken for one place where no
+/// coordinate of theirs differs by more than a few steps of the mesh's own precision (coordinate_step()), and that is
+/// far less than the shortest edge of either. A mesh without open edges has none.
+///
+/// \return for each vertex the smallest number of a vertex at its place; empty where no two are to be joined
+std::vector<std::uint32_t> coincident_border(const TriangleMesh& mesh, Execution& execution);
+
+}  // namespace integral_invariant
