@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <random>
 
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/direction_lines.h"
@@ -85,6 +86,43 @@ TriangleMesh double_cone(int sides)
   return mesh;
 }
 
+/// Triangles that share nothing, half as wide as the cube that they fill.
+TriangleMesh random_soup(int triangles)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
+  const auto point = [&] { return Vec3{share(random), share(random), share(random)}; };
+  TriangleMesh mesh;
+  for (int i = 0; i < triangles; ++i) {
+    const Vec3 place = point();
+    for (int corner = 0; corner < 3; ++corner) mesh.positions.push_back(place + point() * 0.5);
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return mesh;
+}
+
+/// A prism whose sides are two triangles each, `length` times as long as its radius.
+TriangleMesh prism(int sides, double length)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / sides;
+    for (const double z : {0.0, length}) mesh.positions.push_back({std::cos(angle), std::sin(angle), z});
+    const int a = 2 * i, b = 2 * ((i + 1) % sides);
+    mesh.triangles.push_back({a, b, b + 1});
+    mesh.triangles.push_back({a, b + 1, a + 1});
+  }
+  return mesh;
+}
+
+TriangleMesh randomly_oriented(TriangleMesh mesh)
+{
+  std::mt19937 random(5);
+  for (Triangle& t : mesh.triangles)
+    if (random() & 1) std::swap(t[1], t[2]);
+  return mesh;
+}
+
 /// Of the default; with noise 0 it is estimated.
 double seconds_of_default(const TriangleMesh& mesh, double noise)
 {
@@ -106,6 +144,28 @@ TEST(Stopping, TimeDoesNotGrowWithTheSquareOfAHubsSpokes)
   const double few = seconds_of_default(double_cone(sides), noise), many = seconds_of_default(large, noise);
   EXPECT_LT(many, 2 * times * few);
   EXPECT_LT(seconds_of_default(large, 0), 2 * many) << "with estimated noise";
+}
+
+TEST(Stopping, TimeDoesNotGrowWithTheSquareOfTrianglesThatAreNoSurface)
+{
+  constexpr int few = 4000, times = 4;
+  EXPECT_LT(seconds_of_default(random_soup(times * few), 0), 2 * times * seconds_of_default(random_soup(few), 0));
+  EXPECT_LT(seconds_of_default(prism(times * few, 50), 0), 2 * times * seconds_of_default(prism(few, 50), 0));
+}
+
+TEST(Stopping, RandomOrientationCostsThreeTimesASurface)
+{
+  const TriangleMesh mesh = with_normal_noise(torus(2, 0.6, 300, 90), 0.002);
+  EXPECT_LT(seconds_of_default(randomly_oriented(mesh), 0), 3 * seconds_of_default(mesh, 0));
+}
+
+TEST(Stopping, WhatIsNoSurfaceIsAskedForOftenEnough)
+{
+  for (const TriangleMesh& mesh : {random_soup(4000), prism(8000, 50), randomly_oriented(torus(2, 0.6, 300, 90))}) {
+    Watch watch;
+    compute_curvature(mesh, on_one_thread({}), watch.callback());
+    watch.tick();
+  }
 }
 
 TEST(Stopping, StatisticalRadiusAsksOftenEnough)

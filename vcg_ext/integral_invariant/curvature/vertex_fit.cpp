@@ -210,9 +210,9 @@ VertexFit VertexFitter::grow_disc(double radius)
 {
   constexpr std::size_t least_count = 10;
   constexpr std::uint32_t few = 16;  // of a hub's spokes at a time
-  // Four times what a mesh of even edges has in the largest ball. Where vertices are as dense
+  // Half more than what a mesh of even edges has in the largest ball. Where vertices are as dense
   // as that, smaller discs have all that is needed, and larger ones would take the square of the density.
-  constexpr std::size_t most_count = 4096;
+  constexpr std::size_t most_count = 1536;
   const double squared_radius = radius * radius;
   // Heights count too: where the surface turns away it is no graph.
   constexpr double steepest = 2;

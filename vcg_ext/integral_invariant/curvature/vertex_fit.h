@@ -49,7 +49,7 @@ class VertexFitter {
   /// Begins a disc about v, across `normal`, which grow_disc() then lets grow.
   void start_disc(std::size_t v, const Vec3& normal);
   /// Quadric through all vertices that edges lead to within `radius` in the tangent plane and twice that in height; not
-  /// under the radius before. None where these are more than 4096, and then for all larger radii. Over a whole disc the
+  /// under the radius before. None where these are more than 1536, and then for all larger radii. Over a whole disc the
   /// same as offset_free_measure(), to first order. Cost O(r²) in all, about 15 µs up to r = 16 ē.
   VertexFit grow_disc(double radius);
   /// Of (H, (K_uu − K_vv)/2, K_uv) of the disc that was grown last, under independent noise of variance 1, where u is

@@ -13,11 +13,11 @@ namespace integral_invariant {
 
 void BallEvaluator::add_free_edges(const Neighbourhood& near)
 {
-  for (const LocalFreeEdge& edge : near.free_edges) {
+  for (const LocalFreeEdge& edge : near.close_free_edges) {
     const Vec3 a = point(edge.from), b = point(edge.to);
     if (squared_norm(a) == 0 || squared_norm(b) == 0 || (is_border_ && passes_origin(a, b)))
       add_ray(edge);
-    else
+    else if (edge.stands_for > 0 && std::min(scale_of_[edge.from], scale_of_[edge.to]) < scales_)
       add_free_edge(edge);
   }
   if (!rays_.empty()) close_surface();
@@ -27,9 +27,10 @@ void BallEvaluator::add_free_edge(const LocalFreeEdge& edge)
 {
   const Vec3 a = point(edge.from), b = point(edge.to);
   const std::uint32_t from = scale_of_[edge.from], to = scale_of_[edge.to];
-  const double sign = free_edge_side(edge.surplus, a, b, point(edge.opposite));
+  const double sign = free_edge_side(edge.surplus, a, b, point(edge.opposite)) * edge.stands_for;
+  const double times = double(edge.surplus) * edge.stands_for;
   const auto add = [&](const Vec3& start, const Vec3& end, ArcSums& arcs, MissingSurface& missing) {
-    arcs.add(normalized(start), normalized(end), edge.surplus, pole_);
+    arcs.add(normalized(start), normalized(end), times, pole_);
     missing.add(start, end, sign);
   };
   for (std::uint32_t k = std::min(from, to); k < std::min(std::max(from, to), cut_scales_); ++k) {

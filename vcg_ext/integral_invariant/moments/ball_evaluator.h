@@ -60,6 +60,8 @@ class BallEvaluator {
   const std::vector<BallMoments>& evaluate(const Neighbourhood& near, Vicinity& vicinity, std::uint32_t centre,
                                            const Vec3& normal, bool is_border);
 
+  /// Of the last evaluation: its outcome.
+  const std::vector<BallMoments>& moments() const { return moments_; }
   /// Of the last evaluation, for the triangles of the vicinity's leaves: how far out they reach, as the first scale of
   /// their farthest vertex; the number of radii where that is beyond them all.
   const std::vector<std::uint8_t>& outermost_scales() const { return outermost_; }

@@ -205,14 +205,27 @@ void FarField::find_confidence(const Vec3& centre, double gap_angle, bool is_bor
   if (near_->free_edges.empty()) return;
   missing_.assign(radii_.size(), {gap_angle, 0});
   for (const LocalFreeEdge& edge : near_->free_edges) {
+    if (edge.stands_for == 0) continue;
     Vec3 a = near_->point(edge.from) - centre, b = near_->point(edge.to) - centre;
-    if (squared_norm(a) == 0 || squared_norm(b) == 0 || (is_border && passes_origin(a, b))) continue;
-    const double sign = free_edge_side(edge.surplus, a, b, near_->point(edge.opposite) - centre);
-    if (squared_norm(a) > squared_norm(b)) std::swap(a, b);
+    double nearer = squared_norm(a), farther = squared_norm(b);
+    if (std::min(nearer, farther) > squared_radii_.back()) continue;
+    if (nearer == 0 || farther == 0 || (is_border && passes_origin(a, b))) continue;
+    const double sign = free_edge_side(edge.surplus, a, b, near_->point(edge.opposite) - centre) * edge.stands_for;
+    if (nearer > farther) {
+      std::swap(a, b);
+      std::swap(nearer, farther);
+    }
+    MissingSurface whole;
+    bool has_whole = false;
     for (std::size_t k = 1; k < radii_.size(); ++k) {
-      if (squared_norm(a) > squared_radii_[k]) continue;
-      const bool is_whole = squared_norm(b) <= squared_radii_[k];
-      missing_[k].add(a, is_whole ? b : a + (b - a) * edge_crossing(a, b, radii_[k]), sign);
+      if (nearer > squared_radii_[k]) continue;
+      if (farther > squared_radii_[k]) {
+        missing_[k].add(a, a + (b - a) * edge_crossing(a, b, radii_[k]), sign);
+        continue;
+      }
+      if (!has_whole) whole.add(a, b, sign);  // the same for all larger balls
+      has_whole = true;
+      missing_[k] += whole;
     }
   }
   for (std::size_t k = 1; k < radii_.size(); ++k)

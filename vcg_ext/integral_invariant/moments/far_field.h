@@ -42,6 +42,8 @@ class FarField {
   /// `rim_moments` as the last outcome.
   const std::vector<BallMoments>& evaluate(const BallEvaluator& evaluator, std::uint32_t centre,
                                            const BallMoments& rim_moments, bool is_border);
+  /// The last outcome.
+  const std::vector<BallMoments>& moments() const { return moments_; }
 
  private:
   /// Fills least_ and largest_.

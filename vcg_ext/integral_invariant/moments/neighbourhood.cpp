@@ -129,6 +129,9 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.leaf_spheres.clear();
   local_.large.clear();
   local_.free_edges.clear();
+  local_.close_free_edges.clear();
+  block_begin_ = begin;
+  block_end_ = end;
   local_.far.assign(radii_.size(), {});
   local_.has_far.assign(radii_.size(), 0);
   for (std::size_t i = begin; i < end; ++i) local(std::uint32_t(i));
@@ -210,18 +213,42 @@ std::uint32_t NeighbourhoodGatherer::first_small_scale(double edge) const
 
 void NeighbourhoodGatherer::gather_free_edges()
 {
-  const std::vector<FreeEdge>& edges = tree_.order().free_edges;
-  const auto is_near = [&](const Sphere& sphere) {
-    return norm(sphere.centre - block_.centre) <= reach_ + block_.radius + sphere.radius;
+  const auto is_within = [&](const Sphere& sphere, double reach) {
+    return norm(sphere.centre - block_.centre) <= reach + block_.radius + sphere.radius;
   };
-  tree_.free_edges().visit([&](std::size_t, std::size_t, const Sphere& sphere) { return is_near(sphere); },
-                           [&](std::size_t leaf) {
-                             const SphereTree& tree = tree_.free_edges();
-                             for (std::size_t i = tree.item_begin(leaf); i < tree.item_end(leaf); ++i)
-                               if (is_near(edge_sphere(tree_.order(), i)))
-                                 local_.free_edges.push_back({local(edges[i].from), local(edges[i].to),
-                                                              local(edges[i].opposite), edges[i].surplus});
-                           });
+  near_edges_.clear();
+  close_edges_.clear();
+  const SphereTree& tree = tree_.free_edges();
+  tree.visit([&](std::size_t, std::size_t, const Sphere& sphere) { return is_within(sphere, reach_); },
+             [&](std::size_t leaf) {
+               for (std::size_t i = tree.item_begin(leaf); i < tree.item_end(leaf); ++i) {
+                 const Sphere sphere = edge_sphere(tree_.order(), i);
+                 if (!is_within(sphere, reach_)) continue;
+                 near_edges_.push_back(std::uint32_t(i));
+                 if (is_within(sphere, radii_.back() + position_rounding)) close_edges_.push_back(std::uint32_t(i));
+               }
+             });
+  // Far more than the border of a surface has: triangles that share no edges, or turn over at every other one.
+  constexpr std::size_t far_crowd = 256, close_crowd = 512;
+  const bool may_thin = small_edge_ > 0;
+  local_.is_crowd = may_thin && close_edges_.size() > close_crowd;
+  add_free_edges(near_edges_, may_thin ? far_crowd : near_edges_.size(), local_.free_edges);
+  add_free_edges(close_edges_, may_thin ? close_crowd : close_edges_.size(), local_.close_free_edges);
+}
+
+void NeighbourhoodGatherer::add_free_edges(const std::vector<std::uint32_t>& edges, std::size_t most,
+                                           std::vector<LocalFreeEdge>& local_edges)
+{
+  // Where there are more, a sample stands for them, or n of them would cost n² in all.
+  const std::size_t stride = edges.empty() ? 1 : (edges.size() + most - 1) / most;
+  const auto is_of_block = [&](std::uint32_t point) { return point >= block_begin_ && point < block_end_; };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const FreeEdge& e = tree_.order().free_edges[edges[i]];
+    const std::uint32_t stands_for = i % stride == 0 ? std::uint32_t(stride) : 0;
+    // The ends of the surface at a point of the block must be all there: each that arrives has one that leaves.
+    if (stands_for == 0 && !is_of_block(e.from) && !is_of_block(e.to)) continue;
+    local_edges.push_back({local(e.from), local(e.to), local(e.opposite), e.surplus, stands_for});
+  }
 }
 
 std::uint32_t NeighbourhoodGatherer::local(std::uint32_t point)

@@ -55,6 +55,7 @@ struct LocalLeaf {
 struct LocalFreeEdge {
   std::uint32_t from, to, opposite;
   std::int32_t surplus;
+  std::uint32_t stands_for;  ///< edges, itself among them: 1 but in a crowd; 0: counts about its own ends alone
 };
 
 /// Triangles and free edges that a ball about any point of the block can cut, in coordinates relative to `centre`; the
@@ -75,7 +76,8 @@ struct Neighbourhood {
   SphereColumns leaf_spheres;        ///< that hold the leaves' triangles
   SphereColumns point_groups;        ///< that hold kernel_lanes consecutive points each
   std::vector<std::uint32_t> large;  ///< triangles that a sphere against which they are large may cut
-  std::vector<LocalFreeEdge> free_edges;
+  std::vector<LocalFreeEdge> free_edges, close_free_edges;  ///< all of them; those that a ball can cut
+  bool is_crowd = false;  ///< there are more of the latter than the border of a surface has
   std::vector<std::uint32_t> neighbour_start, neighbours;  ///< points along triangle edges; only where asked for
   std::vector<FluxMoments> far;                            ///< per scale from which on they are inside; about `centre`
   std::vector<char> has_far;
@@ -107,6 +109,7 @@ class NeighbourhoodGatherer {
   std::uint32_t first_small_scale(double edge) const;
   void gather_triangles();
   void gather_free_edges();
+  void add_free_edges(const std::vector<std::uint32_t>& edges, std::size_t most, std::vector<LocalFreeEdge>& local_edges);
   void forget_points();
   void grow_table();
 
@@ -115,6 +118,8 @@ class NeighbourhoodGatherer {
   const double reach_, small_edge_;
   const bool sum_far_;
   Sphere block_;
+  std::size_t block_begin_ = 0, block_end_ = 0;
+  std::vector<std::uint32_t> near_edges_, close_edges_;  ///< free edges, by their number in the tree
   Neighbourhood local_;
   std::vector<std::uint32_t> table_;  ///< open addressing: local index + 1, 0 where free
 };

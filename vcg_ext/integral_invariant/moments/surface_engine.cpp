@@ -135,6 +135,7 @@ class SurfaceEngine : public MomentEngine {
     constexpr std::size_t close = 8;  // points: about two edges across
     const SpatialOrder& order = tree_.order();
     forms.vicinity.enter(near);
+    std::size_t measured = end;  // the last one
     for (std::size_t point = begin; point < end; ++point) {
       const std::uint32_t local = std::uint32_t(point - begin);
       const bool is_border = tree_.is_border(std::uint32_t(point));
@@ -143,15 +144,27 @@ class SurfaceEngine : public MomentEngine {
         forms.vicinity.narrow(local, last);
         if (far) far->narrow(local, last);
       }
-      const auto& moments = forms.evaluator.evaluate(near, forms.vicinity, local, order.normals[point], is_border);
-      if (!far) {
-        hand_over(point, 0, moments.data(), moments.size(), sink);
-        continue;
+      if (!may_share(measured, point, near, forms.vicinity)) {
+        const auto& moments = forms.evaluator.evaluate(near, forms.vicinity, local, order.normals[point], is_border);
+        if (far) far->evaluate(forms.evaluator, local, moments.back(), is_border);
+        measured = point;
       }
-      hand_over(point, 0, moments.data(), moments.size() - 1, sink);
-      const auto& rest = far->evaluate(forms.evaluator, local, moments.back(), is_border);
-      hand_over(point, moments.size() - 1, rest.data(), rest.size(), sink);
+      const auto& moments = forms.evaluator.moments();
+      hand_over(point, 0, moments.data(), far ? moments.size() - 1 : moments.size(), sink);
+      if (far) hand_over(point, moments.size() - 1, far->moments().data(), far->moments().size(), sink);
     }
+  }
+
+  /// Whether the moments about point `measured` may serve `point` too: among triangles that are no surface, where balls
+  /// cut so many of them that a measure of each point's own would cost their square.
+  bool may_share(std::size_t measured, std::size_t point, const Neighbourhood& near, const Vicinity& vicinity) const
+  {
+    constexpr std::size_t leaves_a_measure = 32;
+    constexpr double largest_shift = 0.75;  // edges: half of the smallest radius of the default
+    if (!near.is_crowd || measured >= point || point - measured > vicinity.close_leaf_count() / leaves_a_measure)
+      return false;
+    const std::vector<Vec3>& points = tree_.order().points;
+    return squared_norm(points[point] - points[measured]) < largest_shift * largest_shift;
   }
 
   /// To all vertices at the point, from scale `first` on.

@@ -28,6 +28,8 @@ class Vicinity {
   const std::vector<std::uint32_t>& leaves() const { return leaves_; }
   /// Triangles that a sphere about the narrowed points, against which they are large, may cut.
   const std::vector<std::uint32_t>& large() const { return close_large_; }
+  /// Leaves that spheres about the narrowed points may cut.
+  std::size_t close_leaf_count() const { return close_leaves_.size(); }
   bool has_far(std::size_t scale) const { return far_.has[scale]; }
   /// Of what is inside from the scale on and not in leaves(); about the neighbourhood's centre.
   const FluxMoments& far(std::size_t scale) const { return far_.moments[scale]; }
