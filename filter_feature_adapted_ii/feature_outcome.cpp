@@ -140,7 +140,8 @@ FeatureOutcome crest_lines(const CanonicalMesh& canonical, const Request& reques
   return outcome;
 }
 
-FeatureOutcome principal_directions(const CanonicalMesh& canonical, const Request& request, const ProgressCallback& progress)
+FeatureOutcome principal_directions(const CanonicalMesh& canonical, const Request& request,
+                                    const ProgressCallback& progress)
 {
   DirectionParameters p = request.direction;
   p.memory_limit_mb = request.method.memory_limit_mb;
@@ -227,6 +228,7 @@ FeatureOutcome signature(const TriangleMesh& mesh, const Request& request, const
 FeatureOutcome compute_feature(FilterId filter, const TriangleMesh& mesh, const Request& request,
                                const ProgressCallback& progress)
 {
+  for (const char* name : {"lift", "color_percentile"}) require_permitted(name, request, filter);
   switch (filter) {
     case FilterId::ridges_and_valleys:
       return ridges_and_valleys(canonical_mesh(mesh, request, progress), request, progress);

@@ -59,8 +59,9 @@ std::string convergence_line(const Result& result)
   const Statistics radius = statistics(result.radius);
   return "Radius: " + short_number(radius.minimum) + " to " + short_number(radius.maximum) + ", median " +
          short_number(radius.median) + "; " + std::to_string(result.converged) + " of " +
-         std::to_string(result.radius.size() - result.surface.joined_vertices) + " vertices converged, " + short_number(result.mean_iterations) +
-         " iterations on average, " + std::to_string(result.largest_iterations) + " at most";
+         std::to_string(result.radius.size() - result.surface.joined_vertices) + " vertices converged, " +
+         short_number(result.mean_iterations) + " iterations on average, " + std::to_string(result.largest_iterations) +
+         " at most";
 }
 
 void add_quality_lines(const Outcome& outcome, std::vector<std::string>& lines)
@@ -92,6 +93,12 @@ void add_defect_line(const Result& result, std::vector<std::string>& lines)
   std::string text;
   for (const auto& [count, noun] : counts)
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + noun;
+  // From here on rounding shows beside a sensor's noise.
+  constexpr double notable_step = 0.02;  // average edges
+  if (report.coordinate_step > notable_step * result.average_edge)
+    text += std::string(text.empty() ? "" : ", ") + "coordinates in steps of " +
+            short_number(report.coordinate_step / result.average_edge) +
+            " average edges, because the mesh lies far from the origin: move it there before it is stored";
   if (report.inside_out)
     text += std::string(text.empty() ? "" : ", ") + "inside out: taken as if all triangles were flipped";
   if (!text.empty()) lines.push_back("Note: " + text);

@@ -95,6 +95,14 @@ void store(const ParameterSpec& spec, double value, Request& request)
   spec.set(request, value);
 }
 
+void require_permitted(const std::string& name, const Request& request, FilterId filter)
+{
+  const ParameterSpec* spec = find_parameter(name, filter);
+  if (!spec || !spec->get) return;
+  const double value = spec->get(request);
+  if (!is_permitted(*spec, value)) refuse(*spec, number_text(value));
+}
+
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request)
 {
   const bool is_ply = text.size() > 4 && lower_case(text.substr(text.size() - 4)) == ".ply";

@@ -49,6 +49,10 @@ std::string range_text(const ParameterSpec& spec);
 void store(const ParameterSpec& spec, double value, Request& request);
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request);
 
+/// What `store` checks, of a request that was filled in by other means; nothing where the filter has no such parameter.
+/// \throw ParameterError
+void require_permitted(const std::string& name, const Request& request, FilterId filter);
+
 /// Reads `text` as a value of the parameter (a choice by index or label) and stores it. \throw ParameterError
 void store_from_text(const ParameterSpec& spec, const std::string& text, Request& request);
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "integral_invariant/coincident_border.h"
+#include "integral_invariant/coordinate_step.h"
 #include "integral_invariant/features/signature.h"
 #include "integral_invariant/pipeline.h"
 #include "support/shapes.h"

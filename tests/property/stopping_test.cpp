@@ -153,10 +153,10 @@ TEST(Stopping, TimeDoesNotGrowWithTheSquareOfTrianglesThatAreNoSurface)
   EXPECT_LT(seconds_of_default(prism(times * few, 50), 0), 2 * times * seconds_of_default(prism(few, 50), 0));
 }
 
-TEST(Stopping, RandomOrientationCostsThreeTimesASurface)
+TEST(Stopping, RandomOrientationCostsAFewTimesASurface)
 {
   const TriangleMesh mesh = with_normal_noise(torus(2, 0.6, 300, 90), 0.002);
-  EXPECT_LT(seconds_of_default(randomly_oriented(mesh), 0), 3 * seconds_of_default(mesh, 0));
+  EXPECT_LT(seconds_of_default(randomly_oriented(mesh), 0), 4 * seconds_of_default(mesh, 0));
 }
 
 TEST(Stopping, WhatIsNoSurfaceIsAskedForOftenEnough)

@@ -15,8 +15,9 @@ std::atomic<int> left{std::numeric_limits<int>::max()}, refused_threads{0};
 }  // namespace
 
 // Visible to the C++ library, which starts the threads.
-extern "C" __attribute__((visibility("default"))) int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
-                                                                    void* (*start)(void*), void* argument)
+extern "C" __attribute__((visibility("default"))) int pthread_create(pthread_t* thread,
+                                                                     const pthread_attr_t* attributes,
+                                                                     void* (*start)(void*), void* argument)
 {
   if (left-- <= 0) {
     ++refused_threads;

@@ -77,6 +77,12 @@ TriangleMesh specks_far_apart()
   return joined(scaled(icosphere(1), 1e-13), translated(scaled(icosphere(1), 1e-13), {1, 0, 0}));
 }
 
+TriangleMesh in_single_precision(TriangleMesh mesh)
+{
+  for (Vec3& p : mesh.positions) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
+  return mesh;
+}
+
 std::vector<Action> about_the_mesh()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -89,6 +95,7 @@ std::vector<Action> about_the_mesh()
           curvature(scaled(icosphere(1), 1e150)),
           curvature(scaled(icosphere(1), 1e-150)),
           curvature(specks_far_apart()),
+          curvature(in_single_precision(translated(torus(3, 1, 90, 30), {5e5, 5e6, 100}))),
           curvature(open_sphere(), voxels),
           curvature(with_vertex(icosphere(1), {nan, 0, 0}), voxels)};
 }
@@ -121,6 +128,10 @@ std::vector<Action> about_parameters()
       feature(FilterId::crest_lines, [](Request& r) { r.crest.ridges = r.crest.valleys = false; }),
       feature(FilterId::principal_directions, [](Request& r) { r.direction.maximal = r.direction.minimal = false; }),
       feature(FilterId::principal_directions, [](Request& r) { r.direction.spacing = 1e-9; }),
+      feature(FilterId::principal_directions,
+              [](Request& r) { r.layer.lift = std::numeric_limits<double>::quiet_NaN(); }),
+      feature(FilterId::crest_lines, [](Request& r) { r.layer.lift = std::numeric_limits<double>::infinity(); }),
+      feature(FilterId::signature, [](Request& r) { r.output.color_percentile = 1e9; }),
       feature(FilterId::crest_lines, [](Request& r) { r.crest.smoothing_passes = 1000000; }),
       feature(FilterId::principal_directions, [](Request& r) { r.direction.smoothing_passes = 1000000; }),
       feature(FilterId::signature, [](Request& r) { r.signature.scale = 50; }),

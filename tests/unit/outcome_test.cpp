@@ -48,8 +48,9 @@ TEST(Outcome, HoldsTheChosenQuantity)
 TEST(Outcome, LinesTellScalesInAllUnitsAndDefects)
 {
   const std::string text = joined(summary_lines(make_outcome(two_vertices(), {})));
-  for (const char* part : {"2 vertices", "radii 0.5 1.5", "edge lengths: 1 3", "% of the diagonal: 5 15",
-                           "3 boundary edges", "1 vertices joined", "1 vertices with little", "Time: 2.00 s", "mean curvature in 1/L"})
+  for (const char* part :
+       {"2 vertices", "radii 0.5 1.5", "edge lengths: 1 3", "% of the diagonal: 5 15", "3 boundary edges",
+        "1 vertices joined", "1 vertices with little", "Time: 2.00 s", "mean curvature in 1/L"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
 }
 

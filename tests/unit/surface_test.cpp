@@ -133,3 +133,9 @@ TEST(Surface, RefusesFacesTooFarApartForACoordinate)
   EXPECT_NE(refusal(test_support::joined(near, test_support::translated(near, {1e13, 0, 0}))).find("far apart"),
             std::string::npos);
 }
+
+TEST(Surface, SaysHowFarItsCoordinatesAreRounded)
+{
+  const TriangleMesh mesh = translated(torus(3, 1, 90, 30), {5e5, 5e6, 100});
+  EXPECT_EQ(Surface(mesh).report().coordinate_step, std::ldexp(1.0, 22 - 52));  // 5·10⁶ is from 2²² to 2²³
+}

@@ -77,8 +77,9 @@ bool precedes_turned(const Triangle& a, const Triangle& b)
 
 /// Sorted, each from its smallest vertex on, in the numbers that `number` gives the vertices, of which there are
 /// `vertices`; those whose corners fall together only in these numbers are left out.
-std::vector<Triangle> ordered_triangles(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& number,
-                                        std::size_t vertices, Execution& execution)
+std::vector<Triangle> ordered_triangles(const std::vector<Triangle>& triangles,
+                                        const std::vector<std::uint32_t>& number, std::size_t vertices,
+                                        Execution& execution)
 {
   const auto corners_apart = [](const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; };
   // By the first vertex, then each vertex's few; equal ones are repetitions, which nothing tells apart.
@@ -125,10 +126,10 @@ CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution)
   require_valid_indices(mesh);
   CanonicalMesh canonical;
   number_vertices(mesh, canonical, execution);
-  canonical.mesh.triangles =
-      ordered_triangles(mesh.triangles, canonical.vertex_of, canonical.caller.size(), execution);
+  canonical.mesh.triangles = ordered_triangles(mesh.triangles, canonical.vertex_of, canonical.caller.size(), execution);
   const std::vector<std::uint32_t> first = coincident_border(canonical.mesh, execution);
   if (!first.empty()) join_vertices(first, canonical, execution);
+  if (canonical.mesh.triangles.empty() && !mesh.triangles.empty()) refuse_without_area();
   canonical.collapsed_triangles = mesh.triangles.size() - canonical.mesh.triangles.size();
   return canonical;
 }

@@ -15,7 +15,7 @@ namespace integral_invariant {
 /// Vertices at one place are one vertex, however many copies of it the caller has.
 struct CanonicalMesh {
   TriangleMesh mesh;
-  std::vector<std::uint32_t> caller;     ///< vertex i of `mesh` is the caller's vertex caller[i], the first of its copies
+  std::vector<std::uint32_t> caller;  ///< vertex i of `mesh` is the caller's vertex caller[i], the first of its copies
   std::vector<std::uint32_t> vertex_of;  ///< the caller's vertex v is vertex vertex_of[v] of `mesh`
   std::size_t collapsed_triangles = 0;   ///< two of their corners are one vertex now: left out of `mesh`
 
@@ -42,8 +42,8 @@ struct CanonicalMesh {
 };
 
 /// Vertices along a Hilbert curve through the box of the surface, within a cell of it by their coordinates; those that
-/// no triangle of three different, finite vertices uses come last, in the order in which the caller has them. Those that
-/// triangles use are joined where they are at the same place, and along open edges where they are as near as the
+/// no triangle of three different, finite vertices uses come last, in the order in which the caller has them. Those
+/// that triangles use are joined where they are at the same place, and along open edges where they are as near as the
 /// mesh's own precision can tell (see coincident_border()). Triangles begin with their smallest vertex, and are sorted.
 /// Cost: O(n log n + m), and 56 bytes a vertex. \throw InputError where an index is out of range
 CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution);

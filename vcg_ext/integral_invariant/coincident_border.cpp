@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Before the first stage: seams whose sides are off each other by rounding. In: a mesh with one vertex a place. Out: which
-// vertices are meant to be one. Cost: that of the list of edges, and O(1) a vertex on an open edge.
+// Before the first stage: seams whose sides are off each other by rounding. In: a mesh with one vertex a place. Out:
+// which vertices are meant to be one. Cost: that of the list of edges, and O(1) a vertex on an open edge.
 #include "integral_invariant/coincident_border.h"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "integral_invariant/coordinate_step.h"
 #include "integral_invariant/edge_list.h"
 
 namespace integral_invariant {
@@ -20,30 +21,6 @@ namespace {
 constexpr double rounding_steps = 4;
 /// A vertex is joined only where its shortest edge is this many times as long as what may be apart.
 constexpr double edges_per_rounding = 32;
-
-template <class Visit>
-bool all_coordinates(const std::vector<Vec3>& points, const Visit& visit)
-{
-  return std::all_of(points.begin(), points.end(),
-                     [&](const Vec3& p) { return visit(p.x) && visit(p.y) && visit(p.z); });
-}
-
-/// The least number of significant decimal digits that all coordinates have, up to `most`; or `most` + 1.
-int decimal_digits(const std::vector<Vec3>& points, int most, double relative_rounding)
-{
-  int digits = 1;
-  all_coordinates(points, [&](double x) {
-    const double magnitude = std::abs(x);
-    if (magnitude == 0) return true;
-    const double power = std::floor(std::log10(magnitude));
-    for (; digits <= most; ++digits) {
-      const double scaled = magnitude * std::pow(10.0, digits - 1 - power);
-      if (std::abs(scaled - std::round(scaled)) <= relative_rounding * scaled) break;
-    }
-    return digits <= most;
-  });
-  return digits;
-}
 
 /// A vertex on an open edge, and its shortest edge.
 struct BorderVertices {
@@ -124,22 +101,6 @@ class PlaceGrid {
 };
 
 }  // namespace
-
-double coordinate_step(const std::vector<Vec3>& points)
-{
-  double largest = 0;
-  for (const Vec3& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (largest == 0) return 0;
-  const bool is_single = all_coordinates(points, [](double x) { return double(float(x)) == x; });
-  // More digits than these are as fine as the binary fraction that holds them.
-  const int most = is_single ? 6 : 14;
-  const double rounding =
-      is_single ? std::numeric_limits<float>::epsilon() : 8 * std::numeric_limits<double>::epsilon();
-  const int digits = decimal_digits(points, most, rounding);
-  if (digits <= most) return std::pow(10.0, std::floor(std::log10(largest)) + 1 - digits);
-  const double epsilon = is_single ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
-  return std::ldexp(epsilon, std::ilogb(largest));
-}
 
 std::vector<std::uint32_t> coincident_border(const TriangleMesh& mesh, Execution& execution)
 {

@@ -9,11 +9,6 @@
 
 namespace integral_invariant {
 
-/// The distance between neighbouring values that the coordinates of largest magnitude could have: that of a decimal
-/// fraction where all coordinates are ones of few digits, that of single precision where they all fit into it, and
-/// otherwise that of double precision. 0 where there are no points.
-double coordinate_step(const std::vector<Vec3>& points);
-
 /// Seams whose two sides are off each other by rounding. Vertices on open edges are taken for one place where no
 /// coordinate of theirs differs by more than a few steps of the mesh's own precision (coordinate_step()), and that is
 /// far less than the shortest edge of either. A mesh without open edges has none.

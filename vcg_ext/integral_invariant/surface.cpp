@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "integral_invariant/coordinate_step.h"
 #include "integral_invariant/edge_list.h"
 #include "integral_invariant/support/buckets.h"
 #include "integral_invariant/support/error.h"
@@ -112,8 +114,7 @@ void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges
   });
   const Vec3 extent = box.high - box.low;
   const double size = std::max({extent.x, extent.y, extent.z});
-  if (triangles_.empty() || size == 0)
-    throw InputError("No face of the mesh has an area. Check the mesh, for example with \"Remove Zero Area Faces\".");
+  if (triangles_.empty() || size == 0) refuse_without_area();
   // Within these, no result overflows: curvatures go with the inverse of the size, areas with its square.
   constexpr double smallest_size = 1e-100, largest_size = 1e100;
   if (!(size <= largest_size))
@@ -141,7 +142,28 @@ void Surface::normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges
         "the faces that lie far away, or measure the parts one by one.");
   for_each_index(positions_.size(), execution, [&](std::size_t v) { positions_[v] *= 1 / average; });
   unit_ = size * average;
+  require_shape(mesh, used, execution);
   diagonal_ = norm({extent.x / size, extent.y / size, extent.z / size}) / average;
+}
+
+/// Far from the origin, neighbouring values of a coordinate may be farther apart than vertices are.
+void Surface::require_shape(const TriangleMesh& mesh, const std::vector<char>& used, Execution& execution)
+{
+  std::vector<Vec3> points;
+  reserve_large(points, mesh.positions.size());
+  for_each_in_order(mesh.positions.size(), execution, [&](std::size_t v) {
+    if (used[v]) points.push_back(mesh.positions[v]);
+  });
+  report_.coordinate_step = binary_step(points);
+  // Rounding is noise then, of a tenth of an edge and more, and neighbours fall into one place.
+  constexpr double largest_step = 1.0 / 3;  // average edges
+  if (report_.coordinate_step <= largest_step * unit_) return;
+  std::ostringstream text;
+  text << "The coordinates of the mesh have lost its shape: as far from the origin as it lies they come in steps of "
+       << report_.coordinate_step << ", but its average edge length is " << unit_
+       << ". Move the mesh to the origin before it is stored, or open it in a host that computes in double precision, "
+          "such as PyMeshLab.";
+  throw InputError(text.str());
 }
 
 void Surface::drop_repetitions(std::vector<Edge>& edges, Execution& execution)
@@ -189,8 +211,7 @@ void Surface::turn_outward(Execution& execution)
     six_volumes += dot(a, doubled_area);
     area += norm(doubled_area) / 2;
   });
-  if (!(area > 0))
-    throw InputError("No face of the mesh has an area. Check the mesh, for example with \"Remove Zero Area Faces\".");
+  if (!(area > 0)) refuse_without_area();
 
   // A volume within rounding of zero, as of a sheet with two sides, has no inside.
   constexpr double rounding = 1e-10;

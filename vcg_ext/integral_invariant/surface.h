@@ -23,6 +23,7 @@ struct SurfaceReport {
   std::size_t duplicate_triangles = 0;  ///< same three vertices in the same cyclic order as another
   std::size_t boundary_edges = 0;       ///< edges with a triangle on one side only
   std::size_t inconsistent_edges = 0;   ///< edges that their triangles do not pass equally often in both directions
+  double coordinate_step = 0;           ///< L; between neighbouring values of the largest coordinates
   bool inside_out = false;              ///< encloses a negative volume: taken as if all triangles were flipped
 };
 
@@ -60,6 +61,7 @@ class Surface {
  private:
   void take_triangles(const TriangleMesh& mesh, Execution& execution);
   void normalise(const TriangleMesh& mesh, const std::vector<Edge>& edges, Execution& execution);
+  void require_shape(const TriangleMesh& mesh, const std::vector<char>& used, Execution& execution);
   void drop_repetitions(std::vector<Edge>& edges, Execution& execution);
   void connect(const std::vector<Edge>& edges, Execution& execution);
   void turn_outward(Execution& execution);

@@ -18,4 +18,9 @@ void require_valid_indices(const TriangleMesh& mesh)
                          " vertices. The mesh is damaged: load it anew or repair the file.");
 }
 
+void refuse_without_area()
+{
+  throw InputError("No face of the mesh has an area. Check the mesh, for example with \"Remove Zero Area Faces\".");
+}
+
 }  // namespace integral_invariant

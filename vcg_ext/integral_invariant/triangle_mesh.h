@@ -21,6 +21,9 @@ struct TriangleMesh {
 /// \throw InputError naming the first index of a triangle that is no vertex of the mesh
 void require_valid_indices(const TriangleMesh& mesh);
 
+/// \throw InputError: there is nothing to measure on
+[[noreturn]] void refuse_without_area();
+
 /// The same triangle, same orientation, from its smallest index on.
 inline Triangle smallest_first(const Triangle& t)
 {

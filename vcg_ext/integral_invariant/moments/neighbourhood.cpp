@@ -229,11 +229,11 @@ void NeighbourhoodGatherer::gather_free_edges()
                }
              });
   // Far more than the border of a surface has: triangles that share no edges, or turn over at every other one.
-  constexpr std::size_t far_crowd = 256, close_crowd = 512;
+  constexpr std::size_t most_far = 128, most_close = 256, crowd = 512;
   const bool may_thin = small_edge_ > 0;
-  local_.is_crowd = may_thin && close_edges_.size() > close_crowd;
-  add_free_edges(near_edges_, may_thin ? far_crowd : near_edges_.size(), local_.free_edges);
-  add_free_edges(close_edges_, may_thin ? close_crowd : close_edges_.size(), local_.close_free_edges);
+  local_.is_crowd = may_thin && close_edges_.size() > crowd;
+  add_free_edges(near_edges_, may_thin ? most_far : near_edges_.size(), local_.free_edges);
+  add_free_edges(close_edges_, may_thin ? most_close : close_edges_.size(), local_.close_free_edges);
 }
 
 void NeighbourhoodGatherer::add_free_edges(const std::vector<std::uint32_t>& edges, std::size_t most,

@@ -109,7 +109,8 @@ class NeighbourhoodGatherer {
   std::uint32_t first_small_scale(double edge) const;
   void gather_triangles();
   void gather_free_edges();
-  void add_free_edges(const std::vector<std::uint32_t>& edges, std::size_t most, std::vector<LocalFreeEdge>& local_edges);
+  void add_free_edges(const std::vector<std::uint32_t>& edges, std::size_t most,
+                      std::vector<LocalFreeEdge>& local_edges);
   void forget_points();
   void grow_table();
 
