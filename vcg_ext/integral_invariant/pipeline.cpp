@@ -15,6 +15,7 @@
 #include "integral_invariant/curvature/scale_blend.h"
 #include "integral_invariant/curvature/vertex_fit.h"
 #include "integral_invariant/moments/engine.h"
+#include "integral_invariant/radius/correlated_noise.h"
 #include "integral_invariant/radius/feature_adapted.h"
 #include "integral_invariant/radius/scales.h"
 #include "integral_invariant/radius/smoothing.h"
@@ -135,7 +136,12 @@ void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32
 {
   execution.begin_stage("noise", 83);
   const std::vector<VertexFit> fits = fit_vertices(surface, field.tensors, execution);
-  const Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
+  Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
+  if (p.noise > 0) {
+    noise.transfer = NoiseTransfer(p.noise_correlation / surface.unit());
+  } else {
+    add_correlated_noise(find_correlated_noise(surface, field.tensors, noise, execution), noise, execution);
+  }
 
   execution.begin_stage("weighing the scales", 99);
   const StatisticalCurvature best =

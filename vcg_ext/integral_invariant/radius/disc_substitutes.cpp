@@ -47,13 +47,14 @@ CurvatureTensor tensor_of(const VertexFit& fit, bool removes_bias)
 /// Balls and discs of one vertex.
 class VertexScales {
  public:
-  VertexScales(std::size_t v, double sigma, double density, TensorField& tensors, WholeBalls& balls)
-      : v_(v), sigma_(sigma), density_(density), tensors_(tensors), balls_(balls)
+  VertexScales(std::size_t v, const Noise& noise, TensorField& tensors, WholeBalls& balls)
+      : v_(v), sigma_(noise.sigma[v]), density_(noise.density[v]), transfer_(noise.transfer), tensors_(tensors), balls_(balls)
   {
   }
 
   std::size_t vertex() const { return v_; }
   double sigma() const { return sigma_; }
+  double sigma_at(double r) const { return sigma_ * std::sqrt(transfer_.curvature_ratio(r)); }
   const std::vector<double>& radii() const { return tensors_.radii(); }
   std::size_t count() const { return radii().size(); }
   Origin origin(std::size_t scale) const { return balls_.origin[place(scale)]; }
@@ -92,7 +93,7 @@ class VertexScales {
   {
     constexpr double flat_share = 0.1, bent_share = 0.5;
     const double r = radii()[scale], k = largest_absolute_curvature(disc);
-    const double deviation = std::sqrt(disc_variance::mean_curvature * density_) / (r * r * r);
+    const double deviation = std::sqrt(disc_variance::mean_curvature * density_ * transfer_.curvature_ratio(r)) / (r * r * r);
     const double difference = std::abs(tensors_.at_scale(v_, int(scale)).k.trace() - disc.k.trace()) / 2;
     return difference <= deviation + (flat_share + bent_share * k * r * k * r) * k;
   }
@@ -102,6 +103,7 @@ class VertexScales {
 
   const std::size_t v_;
   const double sigma_, density_;
+  const NoiseTransfer& transfer_;
   TensorField& tensors_;
   WholeBalls& balls_;
 };
@@ -129,7 +131,7 @@ void substitute_discs_at(VertexScales scales, Vec3 normal, const Creases& crease
     }
     if (must_fit && !fits_well(fit, scales.sigma())) break;
     const CurvatureTensor t = tensor_of(fit, removes_bias);
-    const bool bends = is_bent(t, radii[i], doubt_of(isotropic_variance(fit), scales.sigma()));
+    const bool bends = is_bent(t, radii[i], doubt_of(isotropic_variance(fit), scales.sigma_at(radii[i])));
     if (bends && scales.has_doubts()) break;
     const bool agrees = scales.origin(i) == Origin::doubted && scales.agrees(i, t);
     scales.settle_doubts(i + 1, agrees ? Origin::own : Origin::none);
@@ -191,7 +193,7 @@ std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>&
       const VertexFit fit = fitter.grow_disc(radii[scale]);
       is_smooth[v] =
           is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
-          !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(isotropic_variance(fit), noise.sigma[v]));
+          !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(isotropic_variance(fit), noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[scale]))));
     }
   });
   return is_smooth;
@@ -217,7 +219,7 @@ void substitute_discs(const Surface& surface, const std::vector<Vec3>& normals, 
         VertexFitter& fitter = fitters.of(worker);
         for (std::size_t i = begin; i < end; ++i) {
           const std::uint32_t v = cut[i];
-          substitute_discs_at({v, noise.sigma[v], noise.density[v], tensors, balls}, normals[v], creases, removes_bias,
+          substitute_discs_at({v, noise, tensors, balls}, normals[v], creases, removes_bias,
                               fitter);
         }
       },

@@ -41,7 +41,8 @@ class Signals {
   }
 
   /// \param variance of the vertices about the polynomial \param noise_share of it, 0 to 1
-  void set(std::size_t v, const VertexFit& fit, const TangentFrame& frame, double variance, double noise_share)
+  void set(std::size_t v, const VertexFit& fit, const TangentFrame& frame, double variance, double noise_share,
+           const NoiseTransfer& transfer)
   {
     const TensorComponents c = components_of(fit.tensor, frame);
     result_.mean.values[v] = {c.mean, 0};
@@ -52,8 +53,10 @@ class Signals {
                                                       {&result_.deviator, fit.deviator_variance},
                                                       {&result_.normal, fit.normal_variance}};
     for (const auto& [signal, of_part] : parts) {
-      signal->noise[v] = of_part * of_noise;
-      signal->error[v] = of_part * std::max(variance, least_variance);
+      const double ratio = signal == &result_.normal ? transfer.normal_ratio_of(of_part)
+                                                     : transfer.curvature_ratio_of(of_part);
+      signal->noise[v] = of_part * ratio * of_noise;
+      signal->error[v] = of_part * ratio * std::max(variance, least_variance);
     }
   }
 
@@ -79,13 +82,13 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
       double variance = noise.sigma[v] * noise.sigma[v];
       if (noise.shape_share[v] > least_shape_share) {
         const VertexFit fit = fitters.of(worker).finest(v, fits[v]);
-        signals.set(v, fit, frames[v], fit.residual >= 0 ? fit.residual : variance, 1 - noise.shape_share[v]);
+        signals.set(v, fit, frames[v], fit.residual >= 0 ? fit.residual : variance, 1 - noise.shape_share[v], noise.transfer);
       } else {
         const VertexFit& fit = fits[v];
         if (fit.residual > evident_residual * variance) variance = fit.residual;
         // A polynomial that only shape leaves over is as exact as its residual is small, and better than any ball.
         const bool is_shape = fit.last_terms > evident_terms * fit.residual;
-        signals.set(v, fit, frames[v], variance, is_shape ? 1 - noise.shape_share[v] : 1);
+        signals.set(v, fit, frames[v], variance, is_shape ? 1 - noise.shape_share[v] : 1, noise.transfer);
       }
     }
   });

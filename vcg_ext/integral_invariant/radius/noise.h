@@ -6,6 +6,7 @@
 
 #include "integral_invariant/curvature/scale_blend.h"
 #include "integral_invariant/curvature/vertex_fit.h"
+#include "integral_invariant/radius/noise_transfer.h"
 #include "integral_invariant/surface.h"
 
 namespace integral_invariant {
@@ -20,6 +21,7 @@ struct Noise {
   std::vector<double> density;   ///< s² = σ² · (area a vertex); see disc_variance
   std::vector<double> flatness;  ///< what the triangles' flatness costs: an error of the curvature of flatness / r⁴
   std::vector<double> shape_share;  ///< of σ², 0 to 1: how much of it is shape beyond polynomials instead
+  NoiseTransfer transfer;           ///< of the noise's correlation
   double mean_sigma = 0;            ///< root mean square of sigma
 };
 

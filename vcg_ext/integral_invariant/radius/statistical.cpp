@@ -54,17 +54,19 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
             s.normal.values[place] = {float(c.tilt[0]), float(c.tilt[1])};
             if (balls.origin[place] == Origin::vertices) {
               const DiscVariance& variance = balls.variance(v, i);
-              const float square = float(noise.sigma[v] * noise.sigma[v]);
-              s.mean.noise[place] = variance.mean() * square;
-              s.deviator.noise[place] = variance.deviator() * square;
-              s.normal.noise[place] = variance.normal * square;
+              const double square = noise.sigma[v] * noise.sigma[v], r = tensors.radii()[i];
+              const float of_curvature = float(square * noise.transfer.curvature_ratio(r));
+              s.mean.noise[place] = variance.mean() * of_curvature;
+              s.deviator.noise[place] = variance.deviator() * of_curvature;
+              s.normal.noise[place] = variance.normal * float(square * noise.transfer.normal_ratio(r));
               continue;
             }
-            const double r2 = tensors.radii()[i] * tensors.radii()[i], density = noise.density[v];
+            const double r = tensors.radii()[i], r2 = r * r, density = noise.density[v];
+            const double curvature_ratio = noise.transfer.curvature_ratio(r), normal_ratio = noise.transfer.normal_ratio(r);
             const double flat = noise.flatness[v] * noise.flatness[v] / (r2 * r2 * r2 * r2);
-            s.mean.noise[place] = float(disc_variance::mean_curvature * density / (r2 * r2 * r2) + flat);
-            s.deviator.noise[place] = float(disc_variance::deviator * density / (r2 * r2 * r2) + flat);
-            s.normal.noise[place] = float(disc_variance::normal * density / (r2 * r2));
+            s.mean.noise[place] = float(disc_variance::mean_curvature * curvature_ratio * density / (r2 * r2 * r2) + flat);
+            s.deviator.noise[place] = float(disc_variance::deviator * curvature_ratio * density / (r2 * r2 * r2) + flat);
+            s.normal.noise[place] = float(disc_variance::normal * normal_ratio * density / (r2 * r2));
           }
       },
       0.2, 0.3);
@@ -117,7 +119,8 @@ void shrink_starts(const std::vector<TangentFrame>& frames, const TensorField& t
     const Vec3 normal = tensors.at_scale(v, int(scale)).normal;
     const Vec3 u = turned(frames[v].u, frames[v].normal, normal);
     const Symmetric3 covariance =
-        balls.variance(v, scale).covariance_along(u, normal) * (noise.sigma[v] * noise.sigma[v]);
+        balls.variance(v, scale).covariance_along(u, normal) *
+        (noise.sigma[v] * noise.sigma[v] * noise.transfer.curvature_ratio(tensors.radii()[scale]));
     const Vec3 start{signals.mean.values[place][0], signals.deviator.values[place][0],
                      signals.deviator.values[place][1]};
     const ShrunkCurvature shrunk = shrunk_to_plane(start, covariance);

@@ -79,7 +79,7 @@ void keep_one_scale_on_creases(const Creases& creases, const std::vector<double>
   });
 }
 
-int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const WholeBalls& balls)
+int largest_scale(std::size_t v, const TensorField& tensors, const Noise& noise, const WholeBalls& balls)
 {
   constexpr double least_cosine = 0.7, unchecked_radius = 2.5;
   const std::vector<double>& radii = tensors.radii();
@@ -92,7 +92,7 @@ int largest_scale(std::size_t v, const TensorField& tensors, double sigma, const
     const CurvatureTensor t = tensors.at_scale(v, i);
     // The smallest balls see the noise of a few triangles, which says nothing about larger ones.
     const Doubt doubt =
-        balls.origin[place] == Origin::vertices ? doubt_of(balls.variance(v, std::size_t(i)), sigma) : Doubt{};
+        balls.origin[place] == Origin::vertices ? doubt_of(balls.variance(v, std::size_t(i)), noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[i]))) : Doubt{};
     const bool is_checked = radii[i] > unchecked_radius;
     if (is_checked && has_normal &&
         (is_bent(t, radii[i], doubt) || dot(t.normal, normal) + doubt.normal < least_cosine))
@@ -141,7 +141,7 @@ WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& of
   parallel_for(
       n, 2048, execution,
       [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, noise.sigma[v], balls);
+        for (std::size_t v = begin; v < end; ++v) balls.largest[v] = largest_scale(v, tensors, noise, balls);
       },
       0.15, 0.2);
   keep_one_scale_on_creases(creases, tensors.radii(), noise, balls, execution);
