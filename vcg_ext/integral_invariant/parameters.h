@@ -53,7 +53,6 @@ inline constexpr int max_threads = 1024;
 struct Parameters {
   RadiusChoice radius_choice = RadiusChoice::statistical;
   Estimator estimator = Estimator::bias_free;
-  double noise_correlation = 0;  ///< research
   double noise = 0;  ///< standard deviation of the surface's noise, L; 0: estimated
   EngineKind engine = EngineKind::surface_integral;
 

@@ -137,11 +137,9 @@ void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32
   execution.begin_stage("noise", 83);
   const std::vector<VertexFit> fits = fit_vertices(surface, field.tensors, execution);
   Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
-  if (p.noise > 0) {
-    noise.transfer = NoiseTransfer(p.noise_correlation / surface.unit());
-  } else {
+  if (!(p.noise > 0))
     add_correlated_noise(find_correlated_noise(surface, field.tensors, noise, execution), noise, execution);
-  }
+  result.noise_correlation = noise.transfer.correlation() * surface.unit();
 
   execution.begin_stage("weighing the scales", 99);
   const StatisticalCurvature best =

@@ -67,7 +67,10 @@ bool lies_on_lattice(const std::vector<Vec3>& positions)
 class Spectrum {
  public:
   Spectrum(const Surface& surface, const TensorField& tensors, const Noise& white, Execution& execution)
-      : surface_(surface), tensors_(tensors), execution_(execution)
+      : surface_(surface),
+        tensors_(tensors),
+        execution_(execution),
+        is_on_lattice_(lies_on_lattice(surface.positions()))
   {
     const std::vector<double>& radii = tensors.radii();
     // Larger balls hold few independent places, and shape rules there.
@@ -75,12 +78,12 @@ class Spectrum {
     while (bands_ < most_bands && bands_ + 1 < radii.size() && radii[bands_ + 1] <= largest_radius) ++bands_;
     places_.resize((tensors.vertex_count() + place_stride - 1) / place_stride);
     // Polynomials follow the steps of a lattice, so that what they leave over bounds nothing.
-    const bool is_bound = !lies_on_lattice(surface.positions());
     for (std::size_t i = 0; i < places_.size(); ++i)
-      places_[i].residual = !is_bound ? std::numeric_limits<double>::infinity() : white.sigma[vertex_of(i)] * white.sigma[vertex_of(i)];
+      places_[i].residual = is_on_lattice_ ? std::numeric_limits<double>::infinity() : white.sigma[vertex_of(i)] * white.sigma[vertex_of(i)];
     for (std::size_t i = 0; i < bands_; ++i) measure(i);
   }
 
+  bool is_on_lattice() const { return is_on_lattice_; }
   std::size_t bands() const { return bands_; }
   const std::vector<Place>& places() const { return places_; }
   double kurtosis(std::size_t band) const { return kurtosis_[band].value(); }
@@ -153,21 +156,26 @@ class Spectrum {
   const Surface& surface_;
   const TensorField& tensors_;
   Execution& execution_;
+  const bool is_on_lattice_;
   std::size_t bands_ = 0;
   std::vector<Place> places_;
   std::array<Kurtosis, most_bands> kurtosis_;
 };
 
-constexpr std::array<double, 7> correlations{0, 0.35, 0.5, 0.75, 1, 1.5, 2};
+constexpr std::array<double, 8> correlations{0, 0.35, 0.5, 0.75, 1, 1.5, 2, 3};
 constexpr std::array<double, 5> slopes{2.2, 2.8, 3.6, 5, 7};  ///< of shape from band to band, over that of white noise
 constexpr int level_count = 24, amplitude_count = 28;
 constexpr double least_level = 0.004, largest_level = 1;
 
 double level(int i) { return least_level * std::pow(largest_level / least_level, double(i) / (level_count - 1)); }
 
-/// Smoothing divides independent noise by 3.7 ℓ: no more is taken for noise than what was at most this before.
-constexpr double largest_unsmoothed = 0.65;
-bool is_plausible(double sigma, double correlation) { return sigma * std::max(1.0, 3.7 * correlation) < largest_unsmoothed || (correlation == 0); }
+/// Smoothing to a correlation of ℓ edges divides independent noise by 3.7 ℓ (2 ℓ √(π/area)). What would have been more
+/// than a good edge before is shape.
+bool is_plausible(double sigma, double correlation)
+{
+  constexpr double per_length = 3.7, largest = 1.3;
+  return correlation == 0 || sigma * std::max(1.0, per_length * correlation) < largest;
+}
 
 /// Log likelihoods of noise levels at a place, shape at its best, for one correlation length.
 class Levels {
@@ -275,7 +283,7 @@ Fit best_fit(const Levels& levels, const std::vector<const Place*>& judges)
 /// Noise is Gaussian: kurtosis 3. The bands between the triangles and the features speak.
 bool is_gaussian(const Spectrum& spectrum)
 {
-  constexpr double least = 2.4, largest = 3.7;
+  constexpr double least = 2.4, largest = 3.6;
   constexpr std::size_t first = 2, last = 3;
   for (std::size_t band = first; band <= last; ++band)
     if (!(spectrum.kurtosis(band) > least && spectrum.kurtosis(band) < largest)) return false;
@@ -291,7 +299,8 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
   CorrelatedNoise result;
   resize_in_steps(result.sigma, n, execution);
   const Spectrum spectrum(surface, tensors, white, execution);
-  if (spectrum.bands() < 3 || !is_gaussian(spectrum)) return result;
+  // Steps of a lattice are noise, whatever their distribution.
+  if (spectrum.bands() < 3 || !(spectrum.is_on_lattice() || is_gaussian(spectrum))) return result;
 
   std::vector<const Place*> judges;
   const std::size_t stride = std::max<std::size_t>(1, spectrum.places().size() / most_judges);
@@ -305,8 +314,9 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
   std::size_t best = 0;
   for (std::size_t i = 1; i < fits.size(); ++i)
     if (fits[i].score > fits[best].score) best = i;
-  // Small gains are shape that the family of shapes does not quite have: clean meshes show up to 2.3, noise 3 to 90.
-  constexpr double least_gain = 4;
+  // Small gains are shape that the family of shapes does not quite have: clean meshes show up to 0.8, noise 1.5
+  // to 90.
+  constexpr double least_gain = 1.5;
   if (fits[best].gain < least_gain) return result;
 
   result.correlation = correlations[best];
