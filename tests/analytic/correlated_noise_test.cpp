@@ -103,7 +103,7 @@ TEST(CorrelatedNoise, SmoothedNoiseIsNoShape)
       for (std::size_t v = 0; v < r.kappa_max.size(); ++v)
         for (const double kappa : {r.kappa_max[v], r.kappa_min[v]})
           covered += std::abs(kappa - 0.5) < 2 * r.standard_error[v];
-      // An honest error has 0.95. After one pass 0.78 is reached, after three 0.9; it was 0.2 before.
+      // An honest error has 0.95; after one pass 0.78 is reached.
       EXPECT_GT(double(covered), 0.7 * 2 * double(r.kappa_max.size())) << passes << " passes, seed " << seed;
     }
 }

@@ -17,8 +17,7 @@ namespace {
 
 /// Models without a face of positive area, and one whose coordinates have lost its shape: steps of 1/16, edges of 1/13.
 const char* const no_surface[] = {"d_broken/syn_empty", "d_broken/syn_one_vertex", "d_broken/syn_points_only",
-                                  "d_broken/syn_one_degenerate_triangle",
-                                  "d_broken/syn_sphere_offset_1e6_float"};
+                                  "d_broken/syn_one_degenerate_triangle", "d_broken/syn_sphere_offset_1e6_float"};
 
 bool has_surface(const std::string& name)
 {

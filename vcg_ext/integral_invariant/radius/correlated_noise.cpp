@@ -28,8 +28,8 @@ struct Place {
   double residual = 0;
 };
 
-/// Mean square of the three components of the tensors' difference (H and √2 times either of the deviator's have the same
-/// variance under noise); below 0 where a ball does not see one sheet alone.
+/// Mean square of the three components of the tensors' difference (H and √2 times either of the deviator's have the
+/// same variance under noise); below 0 where a ball does not see one sheet alone.
 double squared_difference(const CurvatureTensor& small, const CurvatureTensor& large, double large_radius)
 {
   constexpr double largest_kr = 1.3;
@@ -79,7 +79,8 @@ class Spectrum {
     places_.resize((tensors.vertex_count() + place_stride - 1) / place_stride);
     // Polynomials follow the steps of a lattice, so that what they leave over bounds nothing.
     for (std::size_t i = 0; i < places_.size(); ++i)
-      places_[i].residual = is_on_lattice_ ? std::numeric_limits<double>::infinity() : white.sigma[vertex_of(i)] * white.sigma[vertex_of(i)];
+      places_[i].residual = is_on_lattice_ ? std::numeric_limits<double>::infinity()
+                                           : white.sigma[vertex_of(i)] * white.sigma[vertex_of(i)];
     for (std::size_t i = 0; i < bands_; ++i) measure(i);
   }
 
@@ -114,9 +115,9 @@ class Spectrum {
     resize_in_steps(squares, n, execution_);
     resize_in_steps(sums, n, execution_);
     for_each_index(n, execution_, [&](std::size_t v) {
-      squares[v] = surface_.is_referenced(v) ? squared_difference(tensors_.at_scale(v, int(band)),
-                                                                  tensors_.at_scale(v, int(band) + 1), large)
-                                             : -1;
+      squares[v] = surface_.is_referenced(v)
+                       ? squared_difference(tensors_.at_scale(v, int(band)), tensors_.at_scale(v, int(band) + 1), large)
+                       : -1;
       sums[v] = {squares[v] >= 0 ? std::log(squares[v] + least) : 0, squares[v] >= 0 ? 1.0 : 0};
     });
     pool.sum_around(sums, execution_);
@@ -145,7 +146,8 @@ class Spectrum {
     constexpr double largest = 12;
     for_each_in_order(squares.size(), execution_, [&](std::size_t v) {
       if (squares[v] < 0 || !(sums[v][0] > 0)) return;
-      const double mean = (tensors_.at_scale(v, int(band)).k.trace() - tensors_.at_scale(v, int(band) + 1).k.trace()) / 2;
+      const double mean =
+          (tensors_.at_scale(v, int(band)).k.trace() - tensors_.at_scale(v, int(band) + 1).k.trace()) / 2;
       const double z = std::min(largest, mean * mean * sums[v][1] / sums[v][0]);
       kurtosis_[band].fourth += z * z;
       kurtosis_[band].second += z;
@@ -255,7 +257,7 @@ double penalty(std::size_t l, double centre)
 struct Fit {
   double score = -std::numeric_limits<double>::infinity();
   double centre = 0;  ///< logarithm of the usual level
-  double gain = 0;  ///< of log likelihood over no noise, a place
+  double gain = 0;    ///< of log likelihood over no noise, a place
 };
 
 /// The usual level that explains most, each place having its own about it.

@@ -22,9 +22,9 @@ struct CorrelatedNoise {
 /// towards small scales faster than noise does:
 ///     C_i(place) ~ (σ² N_i(ℓ) + a S_i(p)) χ²_ν / ν,
 /// and ℓ and σ are where the sum of the places' best log likelihoods is largest. What polynomials leave over at the
-/// vertices (`white.sigma`) is one more, finest scale, which bounds noise of short correlation. Noise has to be Gaussian
-/// as well: where the differences have another kurtosis it is taken for shape. `tensors` are offset-free.
-/// Cost O(n · scales), about 3 µs a vertex, and 0.2 s once.
+/// vertices (`white.sigma`) is one more, finest scale, which bounds noise of short correlation. Noise has to be
+/// Gaussian as well: where the differences have another kurtosis it is taken for shape. `tensors` are offset-free. Cost
+/// O(n · scales), about 3 µs a vertex, and 0.2 s once.
 CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, const Noise& white,
                                       Execution& execution);
 

@@ -23,8 +23,9 @@ namespace {
 double doubt_of_fold(double r, double density, const NoiseTransfer& transfer)
 {
   constexpr double deviations = 3;
-  return deviations * std::sqrt((disc_variance::mean_curvature + disc_variance::deviator) * density *
-                                transfer.curvature_ratio(r)) / (r * r);
+  return deviations *
+         std::sqrt((disc_variance::mean_curvature + disc_variance::deviator) * density * transfer.curvature_ratio(r)) /
+         (r * r);
 }
 
 /// What |κ| has to do from a scale to the next larger one.
@@ -35,7 +36,8 @@ bool is_fold(std::size_t v, int scale, double least_fall, const TensorField& ten
   if (small.confidence < least_confidence || large.confidence < least_confidence) return false;
   const double r = tensors.radii()[std::size_t(scale)], k = largest_absolute_curvature(small);
   if (r < least_radius_over_sigma * noise.sigma[v]) return false;
-  return k * r - doubt_of_fold(r, noise.density[v], noise.transfer) > least_kr && k > least_fall * largest_absolute_curvature(large);
+  return k * r - doubt_of_fold(r, noise.density[v], noise.transfer) > least_kr &&
+         k > least_fall * largest_absolute_curvature(large);
 }
 
 /// In larger balls smooth parts of the same size look the same; under noise there is nothing else.
@@ -66,7 +68,9 @@ void keep_lines(const Surface& surface, const Noise& noise, double radius, std::
                 Execution& execution)
 {
   constexpr double least_doubt = 0.25, least_share = 0.05, largest_share = 0.5, pool_cell = 6.5;
-  const auto is_doubted = [&](std::size_t v) { return doubt_of_fold(radius, noise.density[v], noise.transfer) > least_doubt; };
+  const auto is_doubted = [&](std::size_t v) {
+    return doubt_of_fold(radius, noise.density[v], noise.transfer) > least_doubt;
+  };
   std::size_t doubted = 0;
   for_each_in_order(is_crease.size(), execution, [&](std::size_t v) { doubted += is_crease[v] && is_doubted(v); });
   if (doubted == 0) return;

@@ -48,7 +48,12 @@ CurvatureTensor tensor_of(const VertexFit& fit, bool removes_bias)
 class VertexScales {
  public:
   VertexScales(std::size_t v, const Noise& noise, TensorField& tensors, WholeBalls& balls)
-      : v_(v), sigma_(noise.sigma[v]), density_(noise.density[v]), transfer_(noise.transfer), tensors_(tensors), balls_(balls)
+      : v_(v),
+        sigma_(noise.sigma[v]),
+        density_(noise.density[v]),
+        transfer_(noise.transfer),
+        tensors_(tensors),
+        balls_(balls)
   {
   }
 
@@ -93,7 +98,8 @@ class VertexScales {
   {
     constexpr double flat_share = 0.1, bent_share = 0.5;
     const double r = radii()[scale], k = largest_absolute_curvature(disc);
-    const double deviation = std::sqrt(disc_variance::mean_curvature * density_ * transfer_.curvature_ratio(r)) / (r * r * r);
+    const double deviation =
+        std::sqrt(disc_variance::mean_curvature * density_ * transfer_.curvature_ratio(r)) / (r * r * r);
     const double difference = std::abs(tensors_.at_scale(v_, int(scale)).k.trace() - disc.k.trace()) / 2;
     return difference <= deviation + (flat_share + bent_share * k * r * k * r) * k;
   }
@@ -191,9 +197,10 @@ std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>&
       const std::uint32_t v = beside_others[i];
       fitter.start_disc(v, normals[v]);
       const VertexFit fit = fitter.grow_disc(radii[scale]);
-      is_smooth[v] =
-          is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
-          !is_bent(tensor_of(fit, removes_bias), radii[scale], doubt_of(isotropic_variance(fit), noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[scale]))));
+      is_smooth[v] = is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
+                     !is_bent(tensor_of(fit, removes_bias), radii[scale],
+                              doubt_of(isotropic_variance(fit),
+                                       noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[scale]))));
     }
   });
   return is_smooth;
@@ -219,8 +226,7 @@ void substitute_discs(const Surface& surface, const std::vector<Vec3>& normals, 
         VertexFitter& fitter = fitters.of(worker);
         for (std::size_t i = begin; i < end; ++i) {
           const std::uint32_t v = cut[i];
-          substitute_discs_at({v, noise, tensors, balls}, normals[v], creases, removes_bias,
-                              fitter);
+          substitute_discs_at({v, noise, tensors, balls}, normals[v], creases, removes_bias, fitter);
         }
       },
       0.15, 0.2);

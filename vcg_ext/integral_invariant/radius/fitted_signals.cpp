@@ -53,8 +53,8 @@ class Signals {
                                                       {&result_.deviator, fit.deviator_variance},
                                                       {&result_.normal, fit.normal_variance}};
     for (const auto& [signal, of_part] : parts) {
-      const double ratio = signal == &result_.normal ? transfer.normal_ratio_of(of_part)
-                                                     : transfer.curvature_ratio_of(of_part);
+      const double ratio =
+          signal == &result_.normal ? transfer.normal_ratio_of(of_part) : transfer.curvature_ratio_of(of_part);
       signal->noise[v] = of_part * ratio * of_noise;
       signal->error[v] = of_part * ratio * std::max(variance, least_variance);
     }
@@ -82,7 +82,8 @@ FittedSignals make_fitted_signals(const Surface& surface, const std::vector<Vert
       double variance = noise.sigma[v] * noise.sigma[v];
       if (noise.shape_share[v] > least_shape_share) {
         const VertexFit fit = fitters.of(worker).finest(v, fits[v]);
-        signals.set(v, fit, frames[v], fit.residual >= 0 ? fit.residual : variance, 1 - noise.shape_share[v], noise.transfer);
+        signals.set(v, fit, frames[v], fit.residual >= 0 ? fit.residual : variance, 1 - noise.shape_share[v],
+                    noise.transfer);
       } else {
         const VertexFit& fit = fits[v];
         if (fit.residual > evident_residual * variance) variance = fit.residual;

@@ -9,7 +9,8 @@ namespace integral_invariant {
 /// Noise of variance σ² whose correlation falls like exp(−d²/2ℓ²) with the distance d has, at wavenumber k, the density
 /// 2πℓ² σ² exp(−k²ℓ²/2) where independent noise has σ² times the area a vertex. An offset-free ball of radius r is, to
 /// first order, the least squares paraboloid on its disc: of a wave it leaves 48 J₃(kr)/(kr)³ of the curvature and
-/// 8 J₂(kr)/(kr)² of the slope. So its variance is that under independent noise times a ratio that depends on r/ℓ alone.
+/// 8 J₂(kr)/(kr)² of the slope. So its variance is that under independent noise times a ratio that depends on r/ℓ
+/// alone.
 class NoiseTransfer {
  public:
   /// \param correlation ℓ in average edge lengths; 0: independent noise, whose ratios are 1

@@ -62,10 +62,13 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
               continue;
             }
             const double r = tensors.radii()[i], r2 = r * r, density = noise.density[v];
-            const double curvature_ratio = noise.transfer.curvature_ratio(r), normal_ratio = noise.transfer.normal_ratio(r);
+            const double curvature_ratio = noise.transfer.curvature_ratio(r),
+                         normal_ratio = noise.transfer.normal_ratio(r);
             const double flat = noise.flatness[v] * noise.flatness[v] / (r2 * r2 * r2 * r2);
-            s.mean.noise[place] = float(disc_variance::mean_curvature * curvature_ratio * density / (r2 * r2 * r2) + flat);
-            s.deviator.noise[place] = float(disc_variance::deviator * curvature_ratio * density / (r2 * r2 * r2) + flat);
+            s.mean.noise[place] =
+                float(disc_variance::mean_curvature * curvature_ratio * density / (r2 * r2 * r2) + flat);
+            s.deviator.noise[place] =
+                float(disc_variance::deviator * curvature_ratio * density / (r2 * r2 * r2) + flat);
             s.normal.noise[place] = float(disc_variance::normal * normal_ratio * density / (r2 * r2));
           }
       },

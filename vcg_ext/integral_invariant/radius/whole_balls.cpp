@@ -91,8 +91,10 @@ int largest_scale(std::size_t v, const TensorField& tensors, const Noise& noise,
     if (balls.origin[place] == Origin::none) continue;
     const CurvatureTensor t = tensors.at_scale(v, i);
     // The smallest balls see the noise of a few triangles, which says nothing about larger ones.
-    const Doubt doubt =
-        balls.origin[place] == Origin::vertices ? doubt_of(balls.variance(v, std::size_t(i)), noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[i]))) : Doubt{};
+    const Doubt doubt = balls.origin[place] == Origin::vertices
+                            ? doubt_of(balls.variance(v, std::size_t(i)),
+                                       noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[i])))
+                            : Doubt{};
     const bool is_checked = radii[i] > unchecked_radius;
     if (is_checked && has_normal &&
         (is_bent(t, radii[i], doubt) || dot(t.normal, normal) + doubt.normal < least_cosine))
