@@ -52,10 +52,12 @@ TEST_P(BrokenModels, GiveFiniteValuesOrASentenceInMeshLabServer)
     const bool faceless =
         run.log.find("The mesh has no faces. Curvature is measured on a surface") != std::string::npos;
     const bool flat = run.log.find("No face of the mesh has an area.") != std::string::npos;
-    EXPECT_TRUE(faceless || flat) << run.log;
+    // Far from the origin in single precision: steps of 0.06 where edges have 0.07.
+    const bool shapeless = run.log.find("The coordinates of the mesh have lost its shape") != std::string::npos;
+    EXPECT_TRUE(faceless || flat || shapeless) << run.log;
   }
-  // Nothing, one vertex, points, and one triangle without an area.
-  EXPECT_EQ(refused, std::string(GetParam()) == "d_broken" ? 4 : 0);
+  // Nothing, one vertex, points, one triangle without an area, and a sphere whose coordinates have lost its shape.
+  EXPECT_EQ(refused, std::string(GetParam()) == "d_broken" ? 5 : 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Category, BrokenModels, testing::Values("c_open_scans", "d_broken"),
