@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the mesh with every output of the filter as a property of its vertices, through VCG's PLY exporter;
-// and polylines as edges.
+// Writes the mesh with every output of the filter as a property of its vertices, and polylines as edges. Not through
+// VCG's exporter, which notices neither a full disk nor a failed close, and knows one precision for all coordinates.
 #pragma once
 
 #include <array>
@@ -21,9 +21,8 @@ struct PlyContents {
   std::vector<NamedValues> properties;
 };
 
-/// Binary PLY of the mesh (which may have no triangles) with those contents. Written under a temporary name and
-/// renamed, so that a failure leaves an older file as it was. \return the absolute path. \throw InputError where it
-/// cannot be written
+/// Binary PLY of the mesh (which may have no triangles) with those contents. The file appears whole or not at all: a
+/// failure leaves an older one as it was. \return the absolute path. \throw InputError where it cannot be written
 std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, const std::string& path);
 
 /// The same of a run: x y z, red green blue alpha (where the outcome is coloured), quality, ii_kmax, ii_kmin,

@@ -16,6 +16,8 @@
 #include "filter_script.h"
 #include "filters.h"
 #include "integral_invariant/pipeline.h"
+#include "ply_export.h"
+#include "support/full_disk.h"
 #include "support/message_list.h"
 #include "support/shapes.h"
 
@@ -179,6 +181,19 @@ std::vector<Action> about_memory()
           [=] { compute_curvature(sphere, {}, [](int, const char*) { return false; }); }};
 }
 
+std::vector<Action> about_files()
+{
+  const auto exported = [](const std::string& path) { return [=] { export_ply(icosphere(2), PlyContents{}, path); }; };
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  return {exported("/no such folder/a.ply"),
+          [=] {
+            const SmallFiles limit(1000);
+            exported(folder + "/full.ply")();
+          },
+          exported(folder + "/" + std::string(300, 'a') + ".ply"), exported("/dev/null"),
+          [=] { require_writable(folder); }};
+}
+
 std::vector<Action> about_scripts()
 {
   return {[] {
@@ -213,6 +228,7 @@ void expect_all(const std::string& section, const std::vector<Action>& actions)
 TEST(Messages, AboutTheMeshAreListed) { expect_all("The filters: the mesh", about_the_mesh()); }
 TEST(Messages, AboutParametersAreListed) { expect_all("The filters: parameters", about_parameters()); }
 TEST(Messages, AboutMemoryAreListed) { expect_all("The filters: memory", about_memory()); }
+TEST(Messages, AboutTheFileAreListed) { expect_all("The filters: the file that they write", about_files()); }
 TEST(Messages, OfTheScriptWriterAreListed) { expect_all("write_filter_script", about_scripts()); }
 
 TEST(Messages, InTheSourcesAreAllListed)

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the exporter writes, read back by a reader of the tests' own; and that no file is ever short.
+#include "ply_export.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "support/full_disk.h"
+#include "support/ply_file.h"
+#include "support/program.h"
+#include "support/shapes.h"
+
+namespace integral_invariant::filter {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Values that differ at every vertex and in every property.
+Result made_up_result(std::size_t n)
+{
+  Result result;
+  for (std::size_t v = 0; v < n; ++v) {
+    const double x = double(v);
+    result.kappa_max.push_back(x + 0.5);
+    result.kappa_min.push_back(-x);
+    result.radius.push_back(1 + x / 64);
+    result.confidence.push_back(float(v) / float(n));
+    result.dir_max.push_back({x, 2 * x, 3 * x});
+    result.dir_min.push_back({-x, -2 * x, -3 * x});
+  }
+  return result;
+}
+
+class PlyExport : public testing::Test {
+ protected:
+  test_support::TemporaryFolder temporary;
+  fs::path folder = temporary.path();
+  TriangleMesh mesh = test_support::icosphere(1);
+  Outcome outcome = make_outcome(made_up_result(mesh.positions.size()), {});
+};
+
+TEST_F(PlyExport, HasEveryOutputOfEveryVertex)
+{
+  const fs::path file = folder / "out \xc3\xa9.ply";
+  EXPECT_EQ(export_ply(mesh, outcome, file.string()), file.string());
+  const test_support::PlyFile content = test_support::read_ply(file.string());
+  EXPECT_EQ(content.triangles, mesh.triangles);
+  const auto& p = content.vertex;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    EXPECT_FLOAT_EQ(float(p.at("x")[v]), float(mesh.positions[v].x));
+    EXPECT_EQ(p.at("ii_kmax")[v], outcome.result.kappa_max[v]);
+    EXPECT_EQ(p.at("ii_kmin")[v], outcome.result.kappa_min[v]);
+    EXPECT_EQ(p.at("ii_radius")[v], outcome.result.radius[v]);
+    EXPECT_EQ(p.at("ii_confidence")[v], outcome.result.confidence[v]);
+    EXPECT_EQ(p.at("ii_dirmax_x")[v], outcome.result.dir_max[v].x);
+    EXPECT_EQ(p.at("ii_dirmax_y")[v], outcome.result.dir_max[v].y);
+    EXPECT_EQ(p.at("ii_dirmin_z")[v], outcome.result.dir_min[v].z);
+    EXPECT_EQ(p.at("quality")[v], outcome.quality[v]);
+    EXPECT_EQ(p.at("green")[v], outcome.color(v)[1]);
+  }
+}
+
+TEST_F(PlyExport, KeepsCoordinatesOfDoublePrecision)
+{
+  for (Vec3& p : mesh.positions) p = p + Vec3{5e5, 5e6, 100};
+  export_ply(mesh, outcome, (folder / "a.ply").string());
+  const test_support::PlyFile content = test_support::read_ply(folder / "a.ply");
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    EXPECT_EQ(content.property("x")[v], mesh.positions[v].x);
+    EXPECT_EQ(content.property("y")[v], mesh.positions[v].y);
+    EXPECT_EQ(content.property("z")[v], mesh.positions[v].z);
+  }
+}
+
+TEST_F(PlyExport, HoldsWhatIsBeyondSinglePrecisionAsItsLargestValue)
+{
+  outcome.result.kappa_max[3] = 1e60;
+  outcome.quality[4] = -1e60;
+  export_ply(mesh, outcome, (folder / "a.ply").string());
+  const test_support::PlyFile content = test_support::read_ply(folder / "a.ply");
+  EXPECT_EQ(content.property("ii_kmax")[3], std::numeric_limits<float>::max());
+  EXPECT_EQ(content.property("quality")[4], -std::numeric_limits<float>::max());
+}
+
+TEST_F(PlyExport, WithoutColoursThereAreNone)
+{
+  outcome.colorize = false;
+  export_ply(mesh, outcome, (folder / "a.ply").string());
+  EXPECT_EQ(test_support::read_ply(folder / "a.ply").vertex.count("red"), 0u);
+}
+
+TEST_F(PlyExport, LeavesNoOtherFile)
+{
+  require_writable((folder / "a.ply").string());
+  EXPECT_TRUE(fs::is_empty(folder));
+  export_ply(mesh, outcome, (folder / "a.ply").string());
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+}
+
+TEST_F(PlyExport, SaysWhatCannotBeWritten)
+{
+  for (const std::string& path : {(folder / "no such folder" / "a.ply").string(), folder.string()}) {
+    EXPECT_THROW(require_writable(path), InputError);
+    EXPECT_THROW(export_ply(mesh, outcome, path), InputError);
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(PlyExport, FollowsALinkAndKeepsThePermissionsOfTheFile)
+{
+  constexpr fs::perms mine = fs::perms::owner_read | fs::perms::owner_write;
+  test_support::write_text(folder / "data.ply", "older");
+  fs::permissions(folder / "data.ply", mine);
+  fs::create_symlink("data.ply", folder / "link.ply");
+  EXPECT_EQ(export_ply(mesh, outcome, (folder / "link.ply").string()), (folder / "data.ply").string());
+  EXPECT_TRUE(fs::is_symlink(folder / "link.ply"));
+  EXPECT_EQ(fs::status(folder / "data.ply").permissions(), mine);
+  EXPECT_EQ(test_support::read_ply(folder / "link.ply").triangles, mesh.triangles);
+}
+
+TEST_F(PlyExport, ReplacesNoDevice)
+{
+  EXPECT_THROW(export_ply(mesh, outcome, "/dev/null"), InputError);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+/// On a disk of any size, a file of 190 kB is whole, or the refusal names the lack of room and an older file is as it
+/// was.
+class FullDisk : public PlyExport {
+ protected:
+  void SetUp() override
+  {
+    mesh = test_support::icosphere(4);
+    outcome = make_outcome(made_up_result(mesh.positions.size()), {});
+    export_ply(mesh, outcome, (folder / "whole.ply").string());
+    whole = test_support::read_text(folder / "whole.ply");
+    fs::create_directory(folder / "disk");
+  }
+
+  /// \return whether the file was written
+  bool whole_file_or_refusal(std::size_t room)
+  {
+    const fs::path file = folder / "disk" / "out.ply";
+    const bool there = fs::exists(file);
+    std::string refusal;
+    try {
+      export_ply(mesh, outcome, file.string());
+    } catch (const InputError& error) {
+      refusal = error.what();
+    }
+    EXPECT_TRUE(refusal.empty() || refusal.find("Make room there") != std::string::npos) << refusal;
+    EXPECT_EQ(fs::exists(file), refusal.empty() || there) << room;
+    const std::string expected = refusal.empty() ? whole : there ? "older" : "";
+    EXPECT_EQ(fs::exists(file) ? test_support::read_text(file) : "", expected) << room;
+    EXPECT_LE(std::distance(fs::directory_iterator(folder / "disk"), {}), 1) << room;
+    return refusal.empty();
+  }
+
+  std::string whole;
+  static constexpr std::size_t first = 8192, step = 4096;
+};
+
+TEST_F(FullDisk, LeavesNoShortFileWhereFilesCannotGrow)
+{
+  test_support::write_text(folder / "disk" / "out.ply", "older");
+  for (std::size_t room = first; room < whole.size(); room += step) {
+    const test_support::SmallFiles limit(room);
+    EXPECT_FALSE(whole_file_or_refusal(room));
+  }
+  const test_support::SmallFiles limit(whole.size());
+  EXPECT_TRUE(whole_file_or_refusal(whole.size()));
+}
+
+TEST_F(FullDisk, LeavesNoShortFileOnADiskOfAnySize)
+{
+  bool written = false;
+  for (std::size_t room = first; room < whole.size() + 3 * step; room += step) {
+    const test_support::SmallDisk disk(folder / "disk", room);
+    if (!disk.unavailable().empty()) GTEST_SKIP() << "only root can do this: " << disk.unavailable();
+    if (room > whole.size() / 2) test_support::write_text(folder / "disk" / "out.ply", "older");
+    written = whole_file_or_refusal(room);
+    EXPECT_TRUE(!written || room >= whole.size()) << room;
+  }
+  EXPECT_TRUE(written) << "the last disk has room";
+}
+
+}  // namespace
+}  // namespace integral_invariant::filter
