@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// accuracy peers|ours|cost|oracle|vertices [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
+// accuracy peers|ours|cost|oracle [--models FOLDER] [--cells TEXT] [--part I/N] > table.csv
 // accuracy families [--seed N] [--half tuning|report] [--models FOLDER] [--cells TEXT] [--csv FILE]
 // accuracy family_peers [--seed N] [--cells TEXT] > table.csv
 // accuracy scans FOLDER
@@ -9,8 +9,7 @@
 // These are described in families/run_families.h, families/family_peers.h, cross_scan.h, frame.h, crease_quality.h.
 // cost: processor time of the default settings, of the published ones, and of those with the default's radii. peers:
 // each estimator at each radius of the sweep, one line each. ours: compute_curvature() with its defaults, one line a
-// cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth. vertices:
-// the table of one cell's vertices that learned_bound.py reads.
+// cell, judged at the same vertices of the same noisy meshes. oracle: the best choice of scales by the truth.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -32,7 +31,6 @@
 #include "peers/peer.h"
 #include "resource_use.h"
 #include "support/shapes.h"
-#include "vertex_table.h"
 
 namespace {
 
@@ -55,10 +53,9 @@ Options read_options(int argc, char** argv)
     if (!std::strcmp(argv[i], "--cells")) o.filter = argv[i + 1];
     if (!std::strcmp(argv[i], "--part")) std::sscanf(argv[i + 1], "%d/%d", &o.part, &o.parts);
   }
-  constexpr std::array modes{"peers", "ours", "cost", "oracle", "vertices"};
+  constexpr std::array modes{"peers", "ours", "cost", "oracle"};
   if (std::find(modes.begin(), modes.end(), o.mode) == modes.end() || argc % 2)
-    throw std::invalid_argument(
-        "usage: accuracy peers|ours|cost|oracle|vertices [--models FOLDER] [--cells TEXT] [--part I/N]");
+    throw std::invalid_argument("usage: accuracy peers|ours|cost|oracle [--models FOLDER] [--cells TEXT] [--part I/N]");
   return o;
 }
 
@@ -184,7 +181,7 @@ try {
     std::puts("shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds");
   else if (options.mode == "oracle")
     print_oracle_header();
-  else if (options.mode != "vertices")
+  else
     print_header();
   TruthMesh truth;
   std::string loaded;
@@ -199,7 +196,6 @@ try {
     if (options.mode == "ours") run_ours(cell, truth);
     if (options.mode == "cost") run_cost(cell, truth);
     if (options.mode == "oracle") print_oracle(cell, truth, with_noise(truth, cell.sigma, cell.seed()));
-    if (options.mode == "vertices") print_vertices(truth, with_noise(truth, cell.sigma, cell.seed()));
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

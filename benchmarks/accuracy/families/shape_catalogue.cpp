@@ -153,6 +153,16 @@ ExactShape fillet_cylinder(std::mt19937& generator)
   return shape;
 }
 
+/// Cylinder around z closed by half spheres.
+ExactShape capsule(std::mt19937& generator)
+{
+  const double radius = uniform(generator, 0.4, 0.6), half = uniform(generator, 0.4, 0.7);
+  const auto field = [=](const Vec3& p) { return norm({p.x, p.y, std::max(std::abs(p.z) - half, 0.0)}) - radius; };
+  ExactShape shape = star("capsule", "cad", field, 1.6);
+  shape.seam_distance = [=](const Vec3& p) { return std::abs(std::abs(p.z) - half); };
+  return shape;
+}
+
 ExactShape patch(std::string name, const std::function<double(double, double)>& height, std::mt19937& generator)
 {
   const std::uint32_t seed = std::uint32_t(generator());
@@ -166,6 +176,13 @@ ExactShape saddle(std::mt19937& generator)
   const double a = uniform(generator, 0.3, 0.6), b = uniform(generator, 0.3, 0.6);
   return patch(
       "saddle", [=](double x, double y) { return a * x * x - b * y * y; }, generator);
+}
+
+ExactShape hill(std::mt19937& generator)
+{
+  const double height = uniform(generator, 0.2, 0.4), width = uniform(generator, 0.25, 0.4);
+  return patch(
+      "hill", [=](double x, double y) { return height * std::exp(-(x * x + y * y) / (2 * width * width)); }, generator);
 }
 
 ExactShape wavy_patch(const std::string& name, double least, double largest, std::mt19937& generator)
@@ -209,7 +226,9 @@ std::vector<ExactShape> draw_shapes(Half half, std::mt19937& g)
     shapes.push_back(peanut(g));
     shapes.push_back(gyroid_sphere(g));
     shapes.push_back(fillet_cylinder(g));
+    shapes.push_back(capsule(g));
     shapes.push_back(torus(g, true));
+    shapes.push_back(hill(g));
     shapes.push_back(wavy_patch("waves_patch", 3, 6, g));
   }
   for (ExactShape& shape : shapes) keep_meshes(shape);
