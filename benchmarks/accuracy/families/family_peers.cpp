@@ -21,7 +21,10 @@ namespace {
 
 /// In average edges.
 constexpr double radii[] = {1.5, 2, 3, 4, 5, 7, 9, 12, 16, 20, 25, 32, 40};
-constexpr std::size_t judged_vertices = 200;
+constexpr std::size_t judged_vertices = 100;
+/// The sweep ends where both errors are this many times the least so far: from there on they only grow, and the largest
+/// radii take the most time.
+constexpr double hopeless = 2.5;
 
 struct Best {
   double mean = INFINITY, mean_radius = 0, direction = INFINITY, direction_radius = 0;
@@ -71,8 +74,11 @@ void measure_cell(const FamilyCell& cell)
   add_algebraic_sphere_peer(truth.mesh, peers);
   for (const auto& peer : peers) {
     Best best;
-    for (const double radius : radii)
-      best.take(compare(truth, peer->estimate(truth.judged, normals, radius * edge)), radius);
+    for (const double radius : radii) {
+      const Metrics m = compare(truth, peer->estimate(truth.judged, normals, radius * edge));
+      best.take(m, radius);
+      if (m.mean > hopeless * best.mean && m.direction >= hopeless * best.direction) break;
+    }
     print(cell, peer->name(), best);
   }
 }
