@@ -112,7 +112,8 @@ void print_quality(const std::string& mesh, const std::string& method, const Cre
 void print_crease_quality(const std::vector<std::string>& paths)
 {
   std::puts(
-      "| mesh | method | neighbours along creases | differ by more than 2× | flat vertices | of them |H| ē > 0.05 | "
+      "| mesh | method | neighbours along creases | differ by more than 2× | flat vertices | of them \\|H\\| ē > 0.05 "
+      "| "
       "errors within 3 s.e. | of those that read wrong |\n|---|---|---|---|---|---|---|---|");
   for (const std::string& path : paths) {
     const TriangleMesh mesh = test_support::read_ply(path).mesh();

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the tables of docs/accuracy.md and the figures docs/figures/accuracy_*.svg from the benchmark's results.
+"""Writes the tables of docs/accuracy.md and docs/accuracy_tables.md and the figures docs/figures/accuracy_*.svg.
 
     report.py RESULTS_FOLDER DOCS_FOLDER
 
-The text of docs/accuracy.md stays as it is; what stands between its lines '<!-- table: NAME -->' and '<!-- end -->' is
-replaced. Needs nothing but Python's standard library.
+The text of the pages stays as it is; the lines between '<!-- table: NAME -->' and '<!-- end -->' are replaced, for every
+table whose results are in the folder. Needs nothing but Python's standard library.
 """
 import csv
 import math
@@ -119,22 +119,6 @@ def peers_table(ours, peers):
                  [line for _, line in sorted(lines, key=lambda pair: pair[0])])
 
 
-def learned_table(learned, ours, peers):
-    """This library and the best other estimators beside regressions that were taught the truth (learned_bound.py)."""
-    by_mean, by_median = best_peers(peers, "mean"), best_peers(peers, "median")
-    own = {row["cell"]: row for row in ours}
-    lines = []
-    for row in learned:
-        cell = row["cell"]
-        if cell not in own or cell not in by_mean:
-            continue
-        lines.append([row["shape"], f"{row['sigma']:g}", f"{row['taught']:g}", percent(own[cell]["mean"]),
-                      percent(row["mean"]), percent(by_mean[cell]["mean"]), percent(own[cell]["median"]),
-                      percent(row["median"]), percent(by_median[cell]["median"])])
-    return table(["shape", "σ/ē", "taught vertices", "mean %: this library", "taught the truth", "best peer",
-                  "median %: this library", "taught the truth", "best peer by its median"], lines)
-
-
 def cost_table(rows):
     columns = ["published_seconds", "same_balls_seconds"]
     lines = [[row["shape"], f"{row['sigma']:g}", f"{row['vertices']:g}", f"{row['default_seconds']:.2f}"] +
@@ -157,12 +141,12 @@ def radius_figure(ours, peers, cell):
 
     def place(radius, value):
         y = (min(max(math.log10(value), low), high) - low) / (high - low)
-        return 60 + 300 * math.log(radius) / math.log(12), 270 - 240 * y
+        return 60 + 300 * math.log(radius) / math.log(40), 270 - 240 * y
 
     parts = ['<svg xmlns="http://www.w3.org/2000/svg" width="520" height="320" font-family="sans-serif" font-size="12">',
              '<rect width="520" height="320" fill="white"/>',
              f'<text x="60" y="18">{cell[0]}, {cell[1]}, σ = {cell[2]:g} ē: mean error of κ</text>']
-    for radius in (1, 2, 4, 8, 12):
+    for radius in (1, 2, 4, 8, 16, 40):
         x, _ = place(radius, mine)
         parts.append(f'<line x1="{x:.0f}" y1="30" x2="{x:.0f}" y2="270" stroke="#ddd"/>'
                      f'<text x="{x:.0f}" y="286" text-anchor="middle">{radius}</text>')
@@ -183,29 +167,60 @@ def radius_figure(ours, peers, cell):
     return "\n".join(parts) + "\n"
 
 
-def main():
-    results, docs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+def cell_tables(results):
+    """The tables of docs/accuracy_tables.md that are computed from one line a cell."""
+    if not (results / "peers.csv").exists() or not (results / "ours.csv").exists():
+        return {}
     peers, ours = read(results / "peers.csv"), read(results / "ours.csv")
-    tables = {
+    return {
         "summary": summary_table(ours, peers),
         "peers": peers_table(ours, peers),
         "regular": cells_table(ours, peers, lambda r: r["meshing"] == "regular"),
         "meshing": cells_table(ours, peers, lambda r: r["meshing"] in ("irregular", "graded", "slivers")),
-        "cost": cost_table(read(results / "cost.csv")),
         "cad": cells_table(ours, peers, lambda r: r["meshing"] == "cad"),
     }
-    if (results / "learned.csv").exists():
-        tables["learned"] = learned_table(read(results / "learned.csv"), ours, peers)
-    page = docs / "accuracy.md"
-    text = page.read_text()
+
+
+def printed_tables(results):
+    """The tables that the benchmark prints itself; a file with two of them has an empty line between."""
+    names = {"families": ["families"], "family_peers": ["family_peers", "family_peer_cells"], "scans": ["scans"],
+             "frame": ["frame"], "creases": ["creases"]}
+    tables = {}
+    for stem, parts in names.items():
+        if (results / f"{stem}.md").exists():
+            text = (results / f"{stem}.md").read_text().strip()
+            tables.update(zip(parts, text.split("\n\n") if len(parts) > 1 else [text]))
+    return tables
+
+
+def fill_pages(docs, tables):
+    pages = {docs / name: (docs / name).read_text() for name in ("accuracy.md", "accuracy_tables.md")}
     for name, content in tables.items():
-        text = re.sub(rf"(<!-- table: {name} -->\n).*?(<!-- end -->)", lambda m: m[1] + content + "\n" + m[2], text,
-                      flags=re.S)
-    page.write_text(text)
+        place = re.compile(rf"(<!-- table: {name} -->\n).*?(<!-- end -->)", flags=re.S)
+        if not any(place.search(text) for text in pages.values()):
+            sys.exit(f"report.py: no page has a place for the table '{name}'")
+        for page, text in pages.items():
+            pages[page] = place.sub(lambda m: m[1] + content + "\n" + m[2], text)
+    for page, text in pages.items():
+        page.write_text(text)
+
+
+def draw_figures(results, docs):
+    peers, ours = read(results / "peers.csv"), read(results / "ours.csv")
     (docs / "figures").mkdir(exist_ok=True)
     for cell in (("harmonic", "regular", 0.1), ("ellipsoid", "irregular", 0.2), ("pair_1_8", "regular", 0.1)):
         figure = docs / "figures" / ("accuracy_{}_{}_{:g}.svg".format(*cell).replace("0.", "0"))
         figure.write_text(radius_figure(ours, peers, cell))
+
+
+def main():
+    results, docs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    tables = {**cell_tables(results), **printed_tables(results)}
+    if (results / "cost.csv").exists():
+        tables["cost"] = cost_table(read(results / "cost.csv"))
+    fill_pages(docs, tables)
+    if "regular" in tables:
+        draw_figures(results, docs)
 
 
 if __name__ == "__main__":

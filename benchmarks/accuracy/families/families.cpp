@@ -20,6 +20,7 @@ namespace {
 constexpr int usual_vertices = 10000;
 constexpr int coarse_vertices = 3500;  ///< before subdivision
 constexpr int fine_vertices = 25000;   ///< before decimation
+constexpr int peer_vertices = 41000;   ///< much larger than balls of 40 edges, which other estimators are tried at
 
 using Make = std::function<TriangleMesh(const FamilyCell&)>;
 
@@ -287,7 +288,7 @@ std::vector<FamilyCell> draw_peer_cells(std::uint32_t seed)
   std::vector<FamilyCell> cells;
   for (const char* level : {"0.05", "0.1", "0.2", "0.5", "1"})
     for (const ExactShape& shape : shapes)
-      cells.push_back(drawn({std::string("white_") + level, std::stod(level), std::stod(level), white(fine_vertices)},
+      cells.push_back(drawn({std::string("white_") + level, std::stod(level), std::stod(level), white(peer_vertices)},
                             shape, seed));
   for (const FamilyCell& cell : draw_cells(Half::tuning, seed, ""))
     for (const char* family : {"smoothed_3", "correlated_3", "mask", "reconstructed", "remeshed", "coordinate_steps"})

@@ -27,7 +27,7 @@ struct FamilyCell {
 /// exact curvature, which the tuning half has in its families of weak noise; empty: without them.
 std::vector<FamilyCell> draw_cells(Half half, std::uint32_t seed, const std::string& models);
 
-/// White noise of 0.05 to 1 ē on meshes of 25,000 vertices, and two shapes of some other families: what slower
+/// White noise of 0.05 to 1 ē on meshes of 41,000 vertices, and two shapes of some other families: what slower
 /// estimators are run on.
 std::vector<FamilyCell> draw_peer_cells(std::uint32_t seed);
 

@@ -4,101 +4,148 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
+#include "arguments.h"
 #include "families/families.h"
-#include "integral_invariant/pipeline.h"
+#include "families/reference_results.h"
+#include "own_method.h"
 #include "peers/peer.h"
+#include "peers/sweep.h"
 #include "support/shapes.h"
 
 namespace accuracy {
 
-using namespace integral_invariant;
-
 namespace {
 
-/// In average edges.
-constexpr double radii[] = {1.5, 2, 3, 4, 5, 7, 9, 12, 16, 20, 25, 32, 40};
-constexpr std::size_t judged_vertices = 100;
-/// The sweep ends where both errors are this many times the least so far: from there on they only grow, and the largest
-/// radii take the most time.
-constexpr double hopeless = 2.5;
+constexpr const char* usage = "usage: accuracy family_peers [--seed N] [--cells TEXT] [--peers FILE]";
+/// The others take up to a tenth of a second a vertex.
+constexpr std::size_t judged_vertices = 200;
 
-struct Best {
-  double mean = INFINITY, mean_radius = 0, direction = INFINITY, direction_radius = 0;
+struct Comparison {
+  std::string family, shape;
+  OwnResult ours;
+  ReferenceResult by_mean, by_direction;  ///< the best other estimator, by either error
 
-  void take(const Metrics& m, double radius)
-  {
-    if (m.mean < mean) mean = m.mean, mean_radius = radius;
-    if (m.direction < direction) direction = m.direction, direction_radius = radius;
-  }
+  double mean_ratio() const { return ours.metrics.mean / by_mean.mean; }
+  bool has_directions() const { return by_direction.direction > 0 && ours.metrics.direction > 0; }
+  double direction_ratio() const { return ours.metrics.direction / by_direction.direction; }
 };
 
-void print(const FamilyCell& cell, const std::string& method, const Best& best)
+/// Fewer judged vertices, evenly: they are in the order of their numbers.
+void thin_out(TruthMesh& truth)
 {
-  std::printf("%s,%s,%.4g,%s,%.5g,%g,%.4g,%g\n", cell.family.c_str(), cell.shape.name.c_str(), cell.level,
-              method.c_str(), best.mean, best.mean_radius, best.direction, best.direction_radius);
-  std::fflush(stdout);
+  const std::size_t count = truth.judged.size();
+  std::vector<std::uint32_t> kept;
+  for (std::size_t i = 0; i < std::min(count, judged_vertices); ++i)
+    kept.push_back(truth.judged[i * count / std::min(count, judged_vertices)]);
+  truth.judged = kept;
 }
 
-Best ours(const TruthMesh& truth)
+std::vector<ReferenceResult> measure_peers(const TruthMesh& truth, double edge)
 {
-  const Result r = compute_curvature(truth.mesh, {});
-  std::vector<Estimate> estimates;
-  for (const std::uint32_t v : truth.judged)
-    estimates.push_back({r.kappa_max[v], r.kappa_min[v], r.dir_max[v], r.standard_error[v]});
-  Best best;
-  best.take(compare(truth, estimates), 0);
-  return best;
-}
-
-void measure_cell(const FamilyCell& cell)
-{
-  TruthMesh truth = cell.make(cell);
-  // They are in the order of their numbers: take them evenly.
-  const std::size_t stride = std::max<std::size_t>(1, truth.judged.size() / judged_vertices);
-  std::vector<std::uint32_t> judged;
-  for (std::size_t i = 0; i < truth.judged.size(); i += stride) judged.push_back(truth.judged[i]);
-  truth.judged = judged;
-  const double edge = test_support::average_edge_length(truth.mesh);
-  std::vector<Vec3> normals;
-  for (const std::uint32_t v : truth.judged) normals.push_back(truth.normal[v]);
-
-  print(cell, "ours", ours(truth));
   PeerList peers;
   add_vcg_quadric_peer(truth.mesh, peers);
   add_cgal_jet_peers(truth.mesh, peers);
   add_corrected_current_peers(truth.mesh, peers);
   add_algebraic_sphere_peer(truth.mesh, peers);
+  std::vector<ReferenceResult> results;
   for (const auto& peer : peers) {
-    Best best;
-    for (const double radius : radii) {
-      const Metrics m = compare(truth, peer->estimate(truth.judged, normals, radius * edge));
-      best.take(m, radius);
-      if (m.mean > hopeless * best.mean && m.direction >= hopeless * best.direction) break;
-    }
-    print(cell, peer->name(), best);
+    ReferenceResult best;
+    best.method = peer->name();
+    sweep_radii(*peer, truth, edge, [&](double radius, const Metrics& metrics, double) { best.take(metrics, radius); });
+    results.push_back(best);
   }
+  return results;
+}
+
+Comparison compare_on(const FamilyCell& cell, ReferenceResults& references)
+{
+  TruthMesh truth = cell.make(cell);
+  thin_out(truth);
+  const double edge = test_support::average_edge_length(truth.mesh);
+  std::vector<ReferenceResult> peers = references.find(cell, edge);
+  if (peers.empty()) {
+    peers = measure_peers(truth, edge);
+    references.add(cell, edge, peers);
+  }
+  const auto least = [&](double ReferenceResult::*error) {
+    return *std::min_element(peers.begin(), peers.end(), [error](const ReferenceResult& a, const ReferenceResult& b) {
+      return a.*error < b.*error;
+    });
+  };
+  return {cell.family, cell.shape.name, measure_own(truth, {}), least(&ReferenceResult::mean),
+          least(&ReferenceResult::direction)};
+}
+
+void print_summary(const std::string& name, const std::vector<Comparison>& comparisons)
+{
+  double logs = 0, worst = 0, direction_logs = 0, worst_direction = 0, directed = 0;
+  int won = 0;
+  for (const Comparison& c : comparisons) {
+    logs += std::log(c.mean_ratio());
+    worst = std::max(worst, c.mean_ratio());
+    won += c.mean_ratio() < 1;
+    if (!c.has_directions()) continue;
+    direction_logs += std::log(c.direction_ratio());
+    worst_direction = std::max(worst_direction, c.direction_ratio());
+    ++directed;
+  }
+  std::printf("| %s | %zu | %d | %.2f | %.2f | %.2f | %.2f |\n", name.c_str(), comparisons.size(), won,
+              std::exp(logs / double(comparisons.size())), worst, std::exp(direction_logs / std::max(1.0, directed)),
+              worst_direction);
+}
+
+/// `name` is a family, or the beginning of several.
+void print_summary_of(const std::string& name, const std::vector<Comparison>& all)
+{
+  std::vector<Comparison> chosen;
+  for (const Comparison& c : all)
+    if (c.family.rfind(name, 0) == 0) chosen.push_back(c);
+  if (!chosen.empty()) print_summary(name == "white_" ? "**white, all levels**" : name, chosen);
+}
+
+void print_summaries(const std::vector<Comparison>& all)
+{
+  std::puts(
+      "| family | cells | best in | κ: ours / best other, geometric mean | worst | directions: geometric mean | worst "
+      "|\n|---|---|---|---|---|---|---|");
+  std::string last;
+  for (const Comparison& c : all) {
+    if (c.family != last) print_summary_of(c.family, all);
+    last = c.family;
+  }
+  print_summary_of("white_", all);
+}
+
+void print_cells(const std::vector<Comparison>& all)
+{
+  std::puts(
+      "\n| family | shape | mean error | best other | at | ratio | direction ° | best other ° | at | ratio | coverage "
+      "1, 2 s.e. | σ̂/ē |\n|---|---|---|---|---|---|---|---|---|---|---|---|");
+  for (const Comparison& c : all)
+    std::printf("| %s | %s | %.4f | %.4f | %s %gē | %.2f | %.2f | %.2f | %s %gē | %.2f | %.2f, %.2f | %.3f |\n",
+                c.family.c_str(), c.shape.c_str(), c.ours.metrics.mean, c.by_mean.mean, c.by_mean.method.c_str(),
+                c.by_mean.mean_radius, c.mean_ratio(), c.ours.metrics.direction, c.by_direction.direction,
+                c.by_direction.method.c_str(), c.by_direction.direction_radius,
+                c.has_directions() ? c.direction_ratio() : 0, c.ours.metrics.within_one, c.ours.metrics.within_two,
+                c.ours.noise / c.ours.average_edge);
 }
 
 }  // namespace
 
-void run_family_peers(int argc, char** argv)
+void run_family_peers(const std::vector<std::string>& argv)
 {
-  std::uint32_t seed = 1;
-  std::string filter;
-  for (int i = 2; i < argc; i += 2) {
-    const std::string option = argv[i];
-    if (i + 1 == argc || (option != "--seed" && option != "--cells"))
-      throw std::invalid_argument("usage: accuracy family_peers [--seed N] [--cells TEXT]");
-    if (option == "--seed") seed = std::uint32_t(std::stoul(argv[i + 1]));
-    if (option == "--cells") filter = argv[i + 1];
+  const Arguments arguments(argv, {"--seed", "--cells", "--peers"}, usage);
+  const std::string filter = arguments.text("--cells");
+  ReferenceResults references(arguments.text("--peers"));
+  std::vector<Comparison> comparisons;
+  for (const FamilyCell& cell : draw_peer_cells(arguments.number("--seed", 1))) {
+    if (cell.name().find(filter) == std::string::npos) continue;
+    comparisons.push_back(compare_on(cell, references));
+    std::fprintf(stderr, "%s: %.2f\n", cell.name().c_str(), comparisons.back().mean_ratio());
   }
-  std::puts("family,shape,level,method,mean,mean_radius,direction,direction_radius");
-  for (const FamilyCell& cell : draw_peer_cells(seed))
-    if (cell.name().find(filter) != std::string::npos) measure_cell(cell);
+  print_summaries(comparisons);
+  print_cells(comparisons);
 }
 
 }  // namespace accuracy

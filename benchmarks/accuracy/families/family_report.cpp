@@ -22,8 +22,8 @@ struct Summary {
     log_constant += std::log(row.ratio());
     worst = std::max(worst, row.ratio());
     log_published += std::log(row.ours.mean / row.published.mean);
-    if (row.ours.direction > 0 && row.constant.metrics.direction > 0) {
-      log_direction += std::log(row.ours.direction / row.constant.metrics.direction);
+    if (row.ours.direction > 0 && row.constant.direction > 0) {
+      log_direction += std::log(row.ours.direction / row.constant.direction);
       ++directed;
     }
     mean += row.ours.mean;
@@ -48,16 +48,17 @@ void print_family_header(std::FILE* file)
 {
   std::fputs(
       "family,shape,group,level,vertices,mean,direction,noise,within_one,within_two,constant_mean,constant_direction,"
-      "constant_radius,constant_bias_free,published_mean,ratio,seconds\n",
+      "constant_radius,constant_method,published_mean,ratio,seconds\n",
       file);
 }
 
 void print_family_row(const FamilyRow& row, std::FILE* file)
 {
-  const Metrics &m = row.ours, &c = row.constant.metrics;
-  std::fprintf(file, "%s,%s,%s,%.4g,%zu,%.5g,%.4g,%.4g,%.4f,%.4f,%.5g,%.4g,%.4g,%d,%.5g,%.4g,%.3g\n",
+  const Metrics& m = row.ours;
+  const ReferenceResult& c = row.constant;
+  std::fprintf(file, "%s,%s,%s,%.4g,%zu,%.5g,%.4g,%.4g,%.4f,%.4f,%.5g,%.4g,%.4g,%s,%.5g,%.4g,%.3g\n",
                row.family.c_str(), row.shape.c_str(), row.group.c_str(), row.level, m.vertices, m.mean, m.direction,
-               row.noise, m.within_one, m.within_two, c.mean, c.direction, row.constant.radius, row.constant.bias_free,
+               row.noise, m.within_one, m.within_two, c.mean, c.direction, c.mean_radius, c.method.c_str(),
                row.published.mean, row.ratio(), row.seconds);
   std::fflush(file);
 }

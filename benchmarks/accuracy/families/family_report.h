@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "families/constant_radius.h"
 #include "families/families.h"
+#include "families/reference_results.h"
 
 namespace accuracy {
 
@@ -16,11 +16,11 @@ struct FamilyRow {
   double level = 0;
   Metrics ours;
   double noise = 0;  ///< estimated, in average edges
-  ConstantRadius constant;
-  Metrics published;
+  ReferenceResult constant, published;
   double seconds = 0;  ///< of ours
 
-  double ratio() const { return ours.mean / constant.metrics.mean; }
+  /// Our error over that of the best constant radius.
+  double ratio() const { return ours.mean / constant.mean; }
 };
 
 void print_family_header(std::FILE* file);

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/run_families.h"
 
-#include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "families/constant_radius.h"
 #include "families/families.h"
 #include "families/family_report.h"
-#include "integral_invariant/pipeline.h"
-#include "support/shapes.h"
+#include "families/reference_results.h"
+#include "own_method.h"
 
 namespace accuracy {
 
@@ -22,62 +21,50 @@ using namespace integral_invariant;
 
 namespace {
 
-struct FamilyOptions {
-  std::uint32_t seed = std::random_device()();
-  Half half = Half::tuning;
-  std::string cells, csv, models;
-};
+constexpr const char* usage =
+    "usage: accuracy families [--seed N] [--half tuning|report] [--models FOLDER] [--cells TEXT] [--csv FILE]\n"
+    "       [--references FILE]\n"
+    "TEXT is part of family/shape. The report half takes neither --cells nor --csv nor --references: it is shown by "
+    "family alone.";
 
-[[noreturn]] void explain_usage()
+Half half_named(const std::string& name)
 {
-  throw std::invalid_argument(
-      "usage: accuracy families [--seed N] [--half tuning|report] [--models FOLDER] [--cells TEXT] [--csv FILE]\n"
-      "TEXT is part of family/shape. The report half takes no --cells and no --csv: it is shown by family alone.");
+  if (name != "tuning" && name != "report") throw std::invalid_argument(usage);
+  return name == "report" ? Half::report : Half::tuning;
 }
 
-FamilyOptions read_family_options(int argc, char** argv)
+/// The best constant radius of the cell and the published method, in this order.
+std::vector<ReferenceResult> measure_references(const TruthMesh& truth)
 {
-  FamilyOptions o;
-  if (argc % 2) explain_usage();
-  for (int i = 2; i + 1 < argc; i += 2) {
-    const std::string option = argv[i], value = argv[i + 1];
-    if (option == "--seed")
-      o.seed = std::uint32_t(std::stoul(value));
-    else if (option == "--half" && (value == "tuning" || value == "report"))
-      o.half = value == "report" ? Half::report : Half::tuning;
-    else if (option == "--cells")
-      o.cells = value;
-    else if (option == "--models")
-      o.models = value;
-    else if (option == "--csv")
-      o.csv = value;
-    else
-      explain_usage();
-  }
-  if (o.half == Half::report && !(o.cells.empty() && o.csv.empty())) explain_usage();
-  return o;
+  const ConstantRadius best = best_constant_radius(truth);
+  ReferenceResult constant, published;
+  constant.method = best.bias_free ? "constant_bias_free" : "constant_offset_free";
+  constant.take(best.metrics, best.radius);
+  published.method = "published";
+  published.take(measure_own(truth, published_method()).metrics, 0);
+  return {constant, published};
 }
 
-std::vector<Estimate> estimates_at(const TruthMesh& truth, const Result& r)
-{
-  std::vector<Estimate> estimates;
-  for (const std::uint32_t v : truth.judged)
-    estimates.push_back({r.kappa_max[v], r.kappa_min[v], r.dir_max[v], r.standard_error[v]});
-  return estimates;
-}
-
-FamilyRow measure(const FamilyCell& cell)
+FamilyRow measure(const FamilyCell& cell, ReferenceResults& known)
 {
   const TruthMesh truth = cell.make(cell);
   if (truth.judged.empty()) throw std::runtime_error(cell.name() + ": no vertex can be judged");
-  FamilyRow row{cell.family, cell.shape.name, cell.shape.group, cell.level, {}, 0, {}, {}, 0};
-  const auto start = std::chrono::steady_clock::now();
-  const Result ours = compute_curvature(truth.mesh, {});
-  row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  row.ours = compare(truth, estimates_at(truth, ours));
+  const OwnResult ours = measure_own(truth, {});
+  FamilyRow row;
+  row.family = cell.family;
+  row.shape = cell.shape.name;
+  row.group = cell.shape.group;
+  row.level = cell.level;
+  row.ours = ours.metrics;
+  row.seconds = ours.seconds;
   row.noise = ours.noise / ours.average_edge;
-  row.constant = best_constant_radius(truth);
-  row.published = compare(truth, estimates_at(truth, compute_curvature(truth.mesh, published_method())));
+  std::vector<ReferenceResult> references = known.find(cell, ours.average_edge);
+  if (references.empty()) {
+    references = measure_references(truth);
+    known.add(cell, ours.average_edge, references);
+  }
+  row.constant = references.front();
+  row.published = references.back();
   return row;
 }
 
@@ -92,19 +79,26 @@ File opened(const std::string& path)
 
 }  // namespace
 
-void run_families(int argc, char** argv)
+void run_families(const std::vector<std::string>& argv)
 {
-  const FamilyOptions options = read_family_options(argc, argv);
-  std::fprintf(stderr, "seed %u\n", options.seed);
-  const File csv = opened(options.csv);
+  const Arguments arguments(argv, {"--seed", "--half", "--models", "--cells", "--csv", "--references"}, usage);
+  const std::uint32_t seed = arguments.number("--seed", std::random_device()());
+  const Half half = half_named(arguments.text("--half", "tuning"));
+  const std::string filter = arguments.text("--cells"), path = arguments.text("--csv");
+  const std::string references = arguments.text("--references");
+  if (half == Half::report && !(filter + path + references).empty()) throw std::invalid_argument(usage);
+
+  std::fprintf(stderr, "seed %u\n", seed);
+  ReferenceResults known(references);
+  const File csv = opened(path);
   if (csv) print_family_header(csv.get());
   std::vector<FamilyRow> rows;
-  for (const FamilyCell& cell : draw_cells(options.half, options.seed, options.models)) {
-    if (cell.name().find(options.cells) == std::string::npos) continue;
-    rows.push_back(measure(cell));
+  for (const FamilyCell& cell : draw_cells(half, seed, arguments.text("--models"))) {
+    if (cell.name().find(filter) == std::string::npos) continue;
+    rows.push_back(measure(cell, known));
     if (csv) print_family_row(rows.back(), csv.get());
   }
-  std::printf("Seed %u, %s half.\n\n", options.seed, options.half == Half::report ? "report" : "tuning");
+  std::printf("Seed %u, %s half.\n\n", seed, half == Half::report ? "report" : "tuning");
   print_family_table(rows, stdout);
 }
 
