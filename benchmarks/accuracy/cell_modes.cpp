@@ -78,9 +78,8 @@ Parameters published_at_default_radii(double edge)
 void run_cost(const Cell& cell, const TruthMesh& truth, double)
 {
   constexpr int rounds = 5;
-  const std::array<Parameters, 3> settings{
-      Parameters(), integral_invariant::published_method(),
-      published_at_default_radii(test_support::average_edge_length(truth.mesh))};
+  const std::array<Parameters, 3> settings{Parameters(), integral_invariant::published_method(),
+                                           published_at_default_radii(test_support::average_edge_length(truth.mesh))};
   std::array<double, 3> fastest{1e300, 1e300, 1e300};
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < settings.size(); ++i)
@@ -98,9 +97,9 @@ struct Mode {
 
 Mode mode_named(const std::string& name)
 {
-  for (const Mode& mode : {Mode{"peers", metrics_header, run_peers}, Mode{"ours", metrics_header, run_ours},
-                           Mode{"cost", "shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds",
-                                run_cost}})
+  for (const Mode& mode :
+       {Mode{"peers", metrics_header, run_peers}, Mode{"ours", metrics_header, run_ours},
+        Mode{"cost", "shape,meshing,sigma,vertices,default_seconds,published_seconds,same_balls_seconds", run_cost}})
     if (mode.name == name) return mode;
   throw std::invalid_argument(usage);
 }

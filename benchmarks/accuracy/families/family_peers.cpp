@@ -24,8 +24,19 @@ constexpr std::size_t judged_vertices = 200;
 struct Comparison {
   std::string family, shape;
   OwnResult ours;
-  ReferenceResult by_mean, by_direction;  ///< the best other estimator, by either error
+  std::vector<ReferenceResult> peers;
+  ReferenceResult by_mean, by_direction;  ///< the best of them, by either error
 
+  /// Chooses the best among all peers but the one named.
+  void choose_best(const std::string& left_out = "")
+  {
+    by_mean = by_direction = {};
+    for (const ReferenceResult& peer : peers) {
+      if (peer.method == left_out) continue;
+      if (peer.mean < by_mean.mean) by_mean = peer;
+      if (peer.direction < by_direction.direction) by_direction = peer;
+    }
+  }
   double mean_ratio() const { return ours.metrics.mean / by_mean.mean; }
   bool has_directions() const { return by_direction.direction > 0 && ours.metrics.direction > 0; }
   double direction_ratio() const { return ours.metrics.direction / by_direction.direction; }
@@ -68,13 +79,9 @@ Comparison compare_on(const FamilyCell& cell, ReferenceResults& references)
     peers = measure_peers(truth, edge);
     references.add(cell, edge, peers);
   }
-  const auto least = [&](double ReferenceResult::*error) {
-    return *std::min_element(peers.begin(), peers.end(), [error](const ReferenceResult& a, const ReferenceResult& b) {
-      return a.*error < b.*error;
-    });
-  };
-  return {cell.family, cell.shape.name, measure_own(truth, {}), least(&ReferenceResult::mean),
-          least(&ReferenceResult::direction)};
+  Comparison comparison{cell.family, cell.shape.name, measure_own(truth, {}), peers, {}, {}};
+  comparison.choose_best();
+  return comparison;
 }
 
 void print_summary(const std::string& name, const std::vector<Comparison>& comparisons)
@@ -95,13 +102,23 @@ void print_summary(const std::string& name, const std::vector<Comparison>& compa
               worst_direction);
 }
 
-/// `name` is a family, or the beginning of several.
-void print_summary_of(const std::string& name, const std::vector<Comparison>& all)
+/// The cells of the families whose names begin so.
+std::vector<Comparison> beginning_with(const std::string& name, const std::vector<Comparison>& all)
 {
   std::vector<Comparison> chosen;
   for (const Comparison& c : all)
     if (c.family.rfind(name, 0) == 0) chosen.push_back(c);
-  if (!chosen.empty()) print_summary(name == "white_" ? "**white, all levels**" : name, chosen);
+  return chosen;
+}
+
+void print_white_noise(const std::vector<Comparison>& all)
+{
+  std::vector<Comparison> white = beginning_with("white_", all);
+  if (white.empty()) return;
+  print_summary("**white, all levels**", white);
+  // On the torus they have next to no bias, even as large as its tube: they win there by the shape, not by the noise.
+  for (Comparison& c : white) c.choose_best("algebraic_spheres");
+  print_summary("**the same without algebraic spheres**", white);
 }
 
 void print_summaries(const std::vector<Comparison>& all)
@@ -111,10 +128,10 @@ void print_summaries(const std::vector<Comparison>& all)
       "|\n|---|---|---|---|---|---|---|");
   std::string last;
   for (const Comparison& c : all) {
-    if (c.family != last) print_summary_of(c.family, all);
+    if (c.family != last) print_summary(c.family, beginning_with(c.family, all));
     last = c.family;
   }
-  print_summary_of("white_", all);
+  print_white_noise(all);
 }
 
 void print_cells(const std::vector<Comparison>& all)

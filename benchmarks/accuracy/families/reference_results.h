@@ -24,8 +24,8 @@ struct ReferenceResult {
 /// where the families have changed, the edge has, and the cell is measured anew.
 class ReferenceResults {
  public:
-  /// Reads `path`; a file that does not exist is empty, and an empty path keeps nothing. \throw std::runtime_error where
-  /// a line is damaged, or results cannot be written
+  /// Reads `path`; a file that does not exist is empty, and an empty path keeps nothing. \throw std::runtime_error
+  /// where a line is damaged, or results cannot be written
   explicit ReferenceResults(const std::string& path);
 
   /// All results of the cell, empty if there are none.
