@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "resource_use.h"
 #include "support/shapes.h"
 

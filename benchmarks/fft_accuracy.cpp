@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "integral_invariant/curvature/tensor.h"
-#include "integral_invariant/moments/fft_engine.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
+#include "integral_invariant/moments/fft/fft_engine.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

@@ -11,10 +11,10 @@
 #include <memory>
 #include <vector>
 
-#include "integral_invariant/moments/ball_kernel.h"
-#include "integral_invariant/moments/fft_engine.h"
-#include "integral_invariant/moments/fftw_plan.h"
-#include "integral_invariant/moments/tile_layout.h"
+#include "integral_invariant/moments/fft/ball_spectrum.h"
+#include "integral_invariant/moments/fft/fft_engine.h"
+#include "integral_invariant/moments/fft/fftw_plan.h"
+#include "integral_invariant/moments/fft/tiling.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

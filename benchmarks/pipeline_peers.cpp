@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "peers/peers.h"
 #include "resource_use.h"
 #include "support/shapes.h"

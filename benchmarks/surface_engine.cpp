@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "integral_invariant/curvature/scale_blend.h"
-#include "integral_invariant/curvature/tensor.h"
-#include "integral_invariant/moments/surface_engine.h"
+#include "integral_invariant/ball_curvature/tensor_field.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
+#include "integral_invariant/moments/surface/surface_engine.h"
 #include "resource_use.h"
 #include "support/shapes.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "integral_invariant/canonical_order.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/mesh/canonical_mesh.h"
+#include "integral_invariant/curvature.h"
 #include "line_layer.h"
 
 namespace integral_invariant::filter {

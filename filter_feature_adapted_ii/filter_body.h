@@ -8,7 +8,7 @@
 #include <vcg/complex/algorithms/update/curvature_integral_invariant.h>
 #include <wrap/callback.h>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "outcome.h"
 #include "ply_export.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 #include "request.h"
 
 namespace integral_invariant::filter {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 #include "outcome.h"
 
 namespace integral_invariant::filter {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "integral_invariant/features/crest_lines.h"
-#include "integral_invariant/features/direction_lines.h"
-#include "integral_invariant/features/ridge_valley.h"
+#include "integral_invariant/features/curvature_lines.h"
+#include "integral_invariant/features/ridges_valleys.h"
 #include "integral_invariant/features/signature.h"
 #include "integral_invariant/parameters.h"
 

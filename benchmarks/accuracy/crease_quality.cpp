@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <map>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "integral_invariant/support/pi.h"
 #include "support/ply_file.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "integral_invariant/support/pi.h"
 #include "point_cells.h"
 #include "support/ply_file.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
 
 namespace accuracy {
 

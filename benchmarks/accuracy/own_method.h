@@ -3,7 +3,7 @@
 #pragma once
 
 #include "estimate.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 
 namespace accuracy {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "integral_invariant/support/vec3.h"
+#include "integral_invariant/vec3.h"
 
 namespace accuracy {
 

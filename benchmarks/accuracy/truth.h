@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace accuracy {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "integral_invariant/support/vec3.h"
+#include "integral_invariant/vec3.h"
 #include "peers/peers.h"
 
 namespace peers {

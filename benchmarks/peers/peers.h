@@ -2,7 +2,7 @@
 // Estimators of curvature in other libraries, as the speed benchmark runs them: on one thread, as they come.
 #pragma once
 
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace peers {
 

@@ -6,7 +6,7 @@
 
 #include <vcg/complex/complex.h>
 
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace peers {
 

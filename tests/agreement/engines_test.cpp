@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
 #include "integral_invariant/moments/engine.h"
 #include "support/shapes.h"
 

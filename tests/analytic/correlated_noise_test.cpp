@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "integral_invariant/pipeline.h"
-#include "integral_invariant/radius/noise_transfer.h"
+#include "integral_invariant/curvature.h"
+#include "integral_invariant/multiscale/noise_transfer.h"
 #include "integral_invariant/support/pi.h"
 #include "support/shapes.h"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Creases on a box, whose edges are known, and their absence on smooth shapes.
-#include "integral_invariant/radius/creases.h"
+#include "integral_invariant/multiscale/creases.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "integral_invariant/curvature/bias.h"
-#include "integral_invariant/curvature/offset_free.h"
+#include "integral_invariant/ball_curvature/ball_bias.h"
+#include "integral_invariant/ball_curvature/offset_free.h"
 #include "integral_invariant/moments/engine.h"
 #include "integral_invariant/parameters.h"
 #include "support/shapes.h"

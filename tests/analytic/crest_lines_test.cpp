@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "support/feature_shapes.h"
 
 using namespace integral_invariant;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integral_invariant/moments/fft_engine.h"
+#include "integral_invariant/moments/fft/fft_engine.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "integral_invariant/curvature/tensor.h"
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
+#include "integral_invariant/error.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "support/models.h"
 #include "support/ply_file.h"
 

@@ -4,8 +4,8 @@
 #include "fuzz/invariants.h"
 #include "fuzz/read_mesh.h"
 #include "fuzz/read_parameters.h"
-#include "integral_invariant/pipeline.h"
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/curvature.h"
+#include "integral_invariant/error.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -8,7 +8,7 @@
 #include "fuzz/invariants.h"
 #include "fuzz/read_mesh.h"
 #include "fuzz/read_parameters.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fuzz/byte_reader.h"
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace fuzz {
 

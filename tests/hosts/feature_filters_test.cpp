@@ -7,10 +7,10 @@
 #include <fstream>
 
 #include "hosts/host.h"
-#include "integral_invariant/canonical_order.h"
+#include "integral_invariant/mesh/canonical_mesh.h"
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/signature.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "support/feature_shapes.h"
 
 namespace test_support {

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "filter_script.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 
 namespace test_support {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integral_invariant/pipeline.h"
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/curvature.h"
+#include "integral_invariant/error.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

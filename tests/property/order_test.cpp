@@ -7,7 +7,7 @@
 #include <string>
 
 #include "integral_invariant/features/signature.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "support/shapes.h"
 #include "support/shuffle.h"
 

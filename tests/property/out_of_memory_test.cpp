@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "integral_invariant/features/crest_lines.h"
-#include "integral_invariant/features/direction_lines.h"
+#include "integral_invariant/features/curvature_lines.h"
 #include "integral_invariant/features/signature.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "support/failing_allocation.h"
 #include "support/shapes.h"
 

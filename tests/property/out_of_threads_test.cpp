@@ -2,8 +2,8 @@
 // Where the system has no more threads to give, fewer do the work, with the same bits.
 #include <gtest/gtest.h>
 
-#include "integral_invariant/pipeline.h"
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/curvature.h"
+#include "integral_invariant/error.h"
 #include "support/failing_threads.h"
 #include "support/shapes.h"
 

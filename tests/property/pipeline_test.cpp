@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole pipeline: truth on a sphere, invariance, determinism, and what it refuses.
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 
 #include <gtest/gtest.h>
 

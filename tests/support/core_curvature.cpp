@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "filter_script.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "support/ply_file.h"
 
 namespace {

@@ -2,7 +2,7 @@
 // Runs of the surface engine that tests compare.
 #include "support/engine_runs.h"
 
-#include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
 
 namespace test_support {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "integral_invariant/moments/surface_engine.h"
+#include "integral_invariant/moments/surface/surface_engine.h"
 
 namespace test_support {
 

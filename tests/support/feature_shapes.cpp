@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
 
 namespace test_support {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "support/shapes.h"
 
 namespace test_support {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace test_support {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/triangle_mesh.h"
+#include "integral_invariant/mesh.h"
 
 namespace test_support {
 

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 
 using namespace integral_invariant;
 

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 
 using namespace integral_invariant;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integral_invariant/support/hilbert_curve.h"
+#include "integral_invariant/mesh/hilbert_curve.h"
 
 #include <gtest/gtest.h>
 

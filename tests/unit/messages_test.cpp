@@ -15,7 +15,7 @@
 #include "feature_outcome.h"
 #include "filter_script.h"
 #include "filters.h"
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "ply_export.h"
 #include "support/full_disk.h"
 #include "support/message_list.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integral_invariant/curvature/offset_free.h"
+#include "integral_invariant/ball_curvature/offset_free.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "integral_invariant/curvature/bias.h"
+#include "integral_invariant/ball_curvature/ball_bias.h"
 #include "support/exact_moments.h"
 
 using namespace integral_invariant;

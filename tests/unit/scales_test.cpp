@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integral_invariant/radius/scales.h"
+#include "integral_invariant/moments/scales.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 
 using namespace integral_invariant;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integral_invariant/moments/scan_conversion.h"
+#include "integral_invariant/moments/fft/scan_conversion.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "integral_invariant/moments/sphere_cut.h"
-#include "integral_invariant/moments/spherical_moments.h"
+#include "integral_invariant/moments/surface/sphere_clip.h"
+#include "integral_invariant/moments/surface/spherical_moments.h"
 
 using namespace integral_invariant;
 

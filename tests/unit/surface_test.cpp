@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 #include <gtest/gtest.h>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

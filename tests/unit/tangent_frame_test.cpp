@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tensors in the frame of another tangent plane.
-#include "integral_invariant/curvature/tangent_frame.h"
+#include "integral_invariant/ball_curvature/tangent_frame.h"
 
 #include <gtest/gtest.h>
 

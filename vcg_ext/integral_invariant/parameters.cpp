@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 
 namespace integral_invariant {
 

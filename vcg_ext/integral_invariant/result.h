@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "integral_invariant/support/execution.h"
-#include "integral_invariant/support/vec3.h"
-#include "integral_invariant/surface.h"
+#include "integral_invariant/vec3.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 

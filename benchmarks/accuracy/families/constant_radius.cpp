@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "integral_invariant/curvature/bias.h"
-#include "integral_invariant/curvature/offset_free.h"
+#include "integral_invariant/ball_curvature/ball_bias.h"
+#include "integral_invariant/ball_curvature/offset_free.h"
 #include "integral_invariant/moments/engine.h"
 
 namespace accuracy {

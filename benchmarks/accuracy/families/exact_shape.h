@@ -6,7 +6,7 @@
 #include <string>
 
 #include "implicit_curvature.h"
-#include "integral_invariant/triangle_mesh.h"
+#include "integral_invariant/mesh.h"
 #include "truth.h"
 
 namespace accuracy {

@@ -2,7 +2,7 @@
 // What pipelines do to meshes, as far as neighbourhoods suffice for it.
 #pragma once
 
-#include "integral_invariant/triangle_mesh.h"
+#include "integral_invariant/mesh.h"
 
 namespace accuracy {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "integral_invariant/triangle_mesh.h"
+#include "integral_invariant/mesh.h"
 
 namespace accuracy {
 

@@ -2,7 +2,7 @@
 // What VCG, and with it MeshLab, does to meshes.
 #pragma once
 
-#include "integral_invariant/triangle_mesh.h"
+#include "integral_invariant/mesh.h"
 
 namespace accuracy {
 

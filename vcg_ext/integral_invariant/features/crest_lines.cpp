@@ -13,7 +13,7 @@
 #include "integral_invariant/features/surface_walk.h"
 #include "integral_invariant/features/topology.h"
 #include "integral_invariant/parameters.h"
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 
 namespace integral_invariant {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "integral_invariant/features/curvature_field.h"
-#include "integral_invariant/features/ridge_valley.h"
+#include "integral_invariant/features/ridges_valleys.h"
 #include "integral_invariant/features/surface_point.h"
 
 namespace integral_invariant {

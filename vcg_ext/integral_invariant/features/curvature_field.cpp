@@ -2,7 +2,7 @@
 // Curvature fields for the feature stages, and their smoothing over the mesh.
 #include "integral_invariant/features/curvature_field.h"
 
-#include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
 
 namespace integral_invariant {
 

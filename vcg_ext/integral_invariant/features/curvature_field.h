@@ -6,7 +6,7 @@
 
 #include "integral_invariant/result.h"
 #include "integral_invariant/support/execution.h"
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 

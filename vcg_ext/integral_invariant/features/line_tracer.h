@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "integral_invariant/features/direction_lines.h"
+#include "integral_invariant/features/curvature_lines.h"
 #include "integral_invariant/features/point_grid.h"
 #include "integral_invariant/features/surface_walk.h"
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "integral_invariant/support/vec3.h"
+#include "integral_invariant/vec3.h"
 
 namespace integral_invariant {
 

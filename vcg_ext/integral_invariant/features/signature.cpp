@@ -8,11 +8,11 @@
 #include <limits>
 #include <string>
 
-#include "integral_invariant/canonical_order.h"
-#include "integral_invariant/curvature/tensor.h"
+#include "integral_invariant/mesh/canonical_mesh.h"
+#include "integral_invariant/ball_curvature/curvature_tensor.h"
 #include "integral_invariant/moments/engine.h"
-#include "integral_invariant/radius/scales.h"
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/moments/scales.h"
+#include "integral_invariant/error.h"
 #include "integral_invariant/support/memory.h"
 #include "integral_invariant/support/pi.h"
 

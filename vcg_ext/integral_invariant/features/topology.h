@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "integral_invariant/support/buckets.h"
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 

@@ -2,8 +2,8 @@
 // The choice of the moment engine.
 #include "integral_invariant/moments/engine.h"
 
-#include "integral_invariant/moments/fft_engine.h"
-#include "integral_invariant/moments/surface_engine.h"
+#include "integral_invariant/moments/fft/fft_engine.h"
+#include "integral_invariant/moments/surface/surface_engine.h"
 
 namespace integral_invariant {
 

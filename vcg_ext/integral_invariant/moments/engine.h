@@ -11,7 +11,7 @@
 #include "integral_invariant/parameters.h"
 #include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/symmetric3.h"
-#include "integral_invariant/surface.h"
+#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 

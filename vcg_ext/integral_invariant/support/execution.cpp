@@ -9,7 +9,7 @@
 #include <system_error>
 #include <thread>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 
 namespace integral_invariant {
 

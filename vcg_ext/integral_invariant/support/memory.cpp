@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "integral_invariant/support/error.h"
+#include "integral_invariant/error.h"
 
 namespace integral_invariant {
 

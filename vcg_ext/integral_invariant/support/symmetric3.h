@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "integral_invariant/support/vec3.h"
+#include "integral_invariant/vec3.h"
 
 namespace integral_invariant {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "integral_invariant/pipeline.h"
+#include "integral_invariant/curvature.h"
 #include "vcg/complex/algorithms/update/vertex_attribute_transaction.h"
 
 namespace vcg {
