@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the documentation: every link inside the project leads somewhere.
+// The pages of the documentation: every link inside the project leads somewhere, every file that is named exists.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -74,14 +75,38 @@ std::string fault_of(const fs::path& page, const std::string& link)
   return "";
 }
 
+/// What the pattern's parentheses hold, everywhere on the page.
+std::vector<std::string> matches(const fs::path& page, const std::regex& pattern)
+{
+  const std::string text = text_of(page);
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+    found.push_back((*match)[1]);
+  return found;
+}
+
 std::vector<std::string> links_of(const fs::path& page)
 {
   static const std::regex pattern(R"(\]\(([^)\s]+)\))");
-  const std::string text = text_of(page);
-  std::vector<std::string> links;
-  for (std::sregex_iterator link(text.begin(), text.end(), pattern), end; link != end; ++link)
-    links.push_back((*link)[1]);
-  return links;
+  return matches(page, pattern);
+}
+
+/// Words in code quotes with a folder in them, such as `moments/engine.h`.
+std::vector<std::string> named_files_of(const fs::path& page)
+{
+  static const std::regex pattern(R"(`([a-z_]+(?:/[a-z0-9_]+)+(?:\.(?:h|cpp|py|md|txt))?)`)");
+  return matches(page, pattern);
+}
+
+/// Whether there is such a file or folder, from the root or from the core's folder, a header and source by one name.
+/// What a build makes is not asked for.
+bool exists_in_tree(const std::string& name)
+{
+  if (name.rfind("build/", 0) == 0) return true;
+  for (const fs::path& folder : {root, root / "vcg_ext/integral_invariant"})
+    for (const char* ending : {"", ".h", ".cpp"})
+      if (fs::exists(folder / (name + ending))) return true;
+  return false;
 }
 
 TEST(Docs, LinksLeadSomewhere)
@@ -91,6 +116,13 @@ TEST(Docs, LinksLeadSomewhere)
   for (const fs::path& page : all)
     for (const std::string& link : links_of(page))
       EXPECT_EQ(fault_of(page, link), "") << fs::relative(page, root).string() << ": " << link;
+}
+
+TEST(Docs, NamedFilesExist)
+{
+  for (const fs::path& page : pages())
+    for (const std::string& name : named_files_of(page))
+      EXPECT_TRUE(exists_in_tree(name)) << fs::relative(page, root).string() << ": " << name;
 }
 
 TEST(Docs, ALinkThatLeadsNowhereIsFound)

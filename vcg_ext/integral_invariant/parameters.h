@@ -9,7 +9,7 @@ namespace integral_invariant {
 enum class RadiusChoice {
   feature_adapted = 0,  ///< per vertex, by the iteration of [Lai09]
   fixed = 1,            ///< one radius for all vertices, as in [Yang06]
-  statistical = 2,      ///< all scales, each weighted by what it shows over the noise (docs/accuracy.md)
+  statistical = 2,      ///< all scales, each weighted by what it shows over the noise (docs/method.md)
 };
 
 /// How a ball's moments become curvature.

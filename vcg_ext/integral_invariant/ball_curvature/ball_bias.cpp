@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 2: removal of bias. In: offset-free tensors (normalised units). Out: the same, corrected. Cost: O(1) a tensor,
-// O(scales²) a vertex for the extrapolation. Source: docs/method.md §4; the integrals are written out in
-// docs/accuracy.md.
+// O(scales²) a vertex for the extrapolation. Source: docs/method.md §4.
 #include "integral_invariant/ball_curvature/ball_bias.h"
 
 #include <algorithm>

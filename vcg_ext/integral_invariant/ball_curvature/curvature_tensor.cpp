@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 2: curvature tensor of one vertex at one scale. In: ball moments (normalised units). Out: tensor and normal.
-// Cost: O(1), about 0.1 µs. Source: [Yang06], with the normal chosen as docs/method.md says.
+// Cost: O(1), about 0.1 µs. Source: [Yang06], with the normal chosen as docs/published.md says.
 #include "integral_invariant/ball_curvature/curvature_tensor.h"
 
 #include <algorithm>

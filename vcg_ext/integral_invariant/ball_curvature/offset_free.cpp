@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 2: curvature tensor and centre offset from the moments of one ball. In: ball moments (normalised units).
-// Out: tensor, normal, offset. Cost: O(1), about 0.1 µs. Source: docs/method.md §4.
+// Out: tensor, normal, offset. Cost: O(1), about 0.1 µs. Source: docs/method.md §3.
 #include "integral_invariant/ball_curvature/offset_free.h"
 
 namespace integral_invariant {

@@ -13,7 +13,7 @@ struct OffsetFreeMeasure {
   double offset = 0;  ///< δ: height of the smooth surface over the ball's centre along the normal, L
 };
 
-/// With V and the tangential part J_T of the covariance, to first order in δ and κ (docs/method.md §4):
+/// With V and the tangential part J_T of the covariance, to first order in δ and κ (docs/method.md §3):
 /// 2H = −(48/(π r⁶)) (tr J_T − r² V/2 + (π/15) r⁵), K = H I − (24/(π r⁶)) (J_T − tr(J_T)/2 I) on the tangent plane,
 /// δ = (V − (2π/3) r³ + (π/8) r⁴ 2H) / (π r²). This is the least squares fit of a paraboloid to the disc of radius r.
 ///

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 2: the tensors of all vertices and scales, and their blend at any radius. In: curvature tensors per scale.
 // Out: a tensor per vertex and radius. Cost: O(1) a call, about 30 ns. Source: [Lai09 4.1]; why tensors:
-// docs/method.md.
+// docs/published.md.
 #include "integral_invariant/ball_curvature/tensor_field.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 2: polynomial fits to vertices. In: surface, rough normals. Out: tensors, their variances, residuals.
-// Cost: about 3 µs a fit to the nearest vertices, 15 µs a disc of 16 ē. Source: docs/accuracy.md.
+// Cost: about 3 µs a fit to the nearest vertices, 15 µs a disc of 16 ē. Source: docs/method.md §6.
 #include "integral_invariant/jets/jet_fit.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: correlated noise. In: offset-free tensors of all scales, the noise that polynomials see. Out: correlation
-// length, σ of every vertex. Cost: see the header. Source: docs/method.md §5.
+// length, σ of every vertex. Cost: see the header. Source: docs/method.md §7.
 #include "integral_invariant/multiscale/correlated_noise.h"
 
 #include <algorithm>

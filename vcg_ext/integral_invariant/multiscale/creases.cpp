@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: creases. In: tensors of two small scales, noise. Out: crease vertices, distance of all others to them.
-// Cost: O(n), and O(n log n) where there are creases. Source: Dijkstra's method; docs/accuracy.md.
+// Cost: O(n), and O(n log n) where there are creases. Source: Dijkstra's method; docs/method.md §8.
 #include "integral_invariant/multiscale/creases.h"
 
 #include <algorithm>

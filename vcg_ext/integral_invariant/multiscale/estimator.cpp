@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: statistical choice of the scales. In: offset-free tensors of all scales, noise. Out: tensor, standard error
-// and radius of every vertex. Cost: O(n · scales). Source: docs/method.md §4, docs/accuracy.md.
+// and radius of every vertex. Cost: O(n · scales). Source: docs/method.md §12.
 #include "integral_invariant/multiscale/estimator.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: discs for balls. In: tensors and the origins that balls of their own leave. Out: the same with tensors from
-// vertices. Cost: 15 µs a vertex whose largest balls give way. Source: docs/accuracy.md.
+// vertices. Cost: 15 µs a vertex whose largest balls give way. Source: docs/method.md §8.
 #include "integral_invariant/multiscale/jet_fallback.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: the chain's last step. In: chain result, fits to the vertices. Out: the result with the fits weighed in.
-// Cost: O(n), one average over the neighbourhood. Source: docs/accuracy.md.
+// Cost: O(n), one average over the neighbourhood. Source: docs/method.md §11.
 #include "integral_invariant/multiscale/jet_fusion.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: signals of fits. In: fits to the vertices, noise. Out: their components with noise and error. Cost: O(n);
-// without noise about 10 µs a vertex. Source: docs/accuracy.md.
+// without noise about 10 µs a vertex. Source: docs/method.md §6.
 #include "integral_invariant/multiscale/jet_observations.h"
 
 #include <algorithm>

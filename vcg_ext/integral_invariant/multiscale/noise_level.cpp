@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: noise estimate. In: offset-free measures of all scales, fits to the vertices. Out: offset, σ and noise
 // density of every vertex.
-// Cost: O(n), about 2 µs a vertex. Source: docs/method.md §4, docs/accuracy.md.
+// Cost: O(n), about 2 µs a vertex. Source: docs/method.md §7.
 #include "integral_invariant/multiscale/noise_level.h"
 
 #include <algorithm>

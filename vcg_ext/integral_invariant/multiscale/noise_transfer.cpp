@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: transfer of correlated noise. In: a correlation length. Out: ratios of variances by radius.
-// Cost: 50 µs once. Source: Weber's second exponential integral; docs/method.md.
+// Cost: 50 µs once. Source: Weber's second exponential integral; docs/method.md §5.
 #include "integral_invariant/multiscale/noise_transfer.h"
 
 #include <algorithm>

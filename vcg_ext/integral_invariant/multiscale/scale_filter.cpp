@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: scale chain. In: a signal at all scales, what is known about its noise. Out: its value at radius 0, with
 // variance.
-// Cost: O(n · scales), two averages over the neighbourhood a scale. Source: docs/method.md §4, docs/accuracy.md.
+// Cost: O(n · scales), two averages over the neighbourhood a scale. Source: docs/method.md §9.
 #include "integral_invariant/multiscale/scale_filter.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: shrinkage. In: a curvature and its noise. Out: its posterior mean and errors. Cost: about 1 µs.
-// Source: Paule and Mandel (1982); docs/accuracy.md.
+// Source: Paule and Mandel (1982); docs/method.md §10.
 #include "integral_invariant/multiscale/tensor_prior.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 3: whole balls. In: tensors and confidences of all scales. Out: origin of each tensor, largest scale of
 // each vertex.
-// Cost: 0.1 µs a tensor, and that of the discs. Source: docs/accuracy.md.
+// Cost: 0.1 µs a tensor, and that of the discs. Source: docs/method.md §8.
 #include "integral_invariant/multiscale/valid_scales.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stage 1, FFT engine: the ten functions 1, y_i, y_i y_j on the ball, in the frequency domain. In: a radius in cells
 // and the size of the transform. Out: factors by which the transform of the cells is multiplied. Source: [Pottmann07],
-// [Lai09 4.1]; the ball's transform in closed form (docs/method.md).
+// [Lai09 4.1]; the ball's transform in closed form (docs/fft_engine.md).
 #pragma once
 
 #include <array>
