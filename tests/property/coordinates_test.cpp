@@ -8,6 +8,7 @@
 #include "integral_invariant/curvature.h"
 #include "integral_invariant/error.h"
 #include "support/shapes.h"
+#include "support/single_precision.h"
 
 using namespace integral_invariant;
 using namespace test_support;
@@ -15,12 +16,6 @@ using namespace test_support;
 namespace {
 
 TriangleMesh sample() { return with_normal_noise(torus(2, 0.6, 100, 30), 0.005); }
-
-TriangleMesh in_single_precision(TriangleMesh mesh)
-{
-  for (Vec3& p : mesh.positions) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
-  return mesh;
-}
 
 struct Difference {
   double largest = 0, root_mean_square = 0;

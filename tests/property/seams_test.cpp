@@ -11,6 +11,7 @@
 #include "integral_invariant/curvature.h"
 #include "support/shapes.h"
 #include "support/shuffle.h"
+#include "support/single_precision.h"
 
 using namespace integral_invariant;
 using namespace test_support;
@@ -18,12 +19,6 @@ using namespace test_support;
 namespace {
 
 TriangleMesh sample() { return with_normal_noise(torus(3, 1, 90, 30), 0.02); }
-
-TriangleMesh in_single_precision(TriangleMesh mesh)
-{
-  for (Vec3& p : mesh.positions) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
-  return mesh;
-}
 
 /// Every coordinate changed by up to `steps` steps of single precision at the size of the mesh.
 TriangleMesh with_float_steps(TriangleMesh mesh, int steps)

@@ -81,6 +81,18 @@ NeighbourSums neighbour_sums(const TriangleMesh& mesh, const Edges& edges, const
   return sums;
 }
 
+/// Each triangle into four; the new vertices are the edges' middles.
+TriangleMesh quartered_at_midpoints(const TriangleMesh& mesh, const Edges& edges)
+{
+  TriangleMesh fine{mesh.positions, quartered(mesh, edges)};
+  fine.positions.resize(mesh.positions.size() + edges.size());
+  for (const auto& entry : edges) {
+    const SharedEdge& e = entry.second;
+    fine.positions[std::size_t(e.middle)] = (mesh.positions[std::size_t(e.a)] + mesh.positions[std::size_t(e.b)]) * 0.5;
+  }
+  return fine;
+}
+
 }  // namespace
 
 void smooth(TriangleMesh& mesh, double factor)
@@ -95,29 +107,19 @@ void smooth(TriangleMesh& mesh, double factor)
 
 TriangleMesh midpoint_subdivided(const TriangleMesh& mesh)
 {
-  const Edges edges = edges_of(mesh);
-  TriangleMesh fine{mesh.positions, quartered(mesh, edges)};
-  fine.positions.resize(mesh.positions.size() + edges.size());
-  for (const auto& entry : edges) {
-    const SharedEdge& e = entry.second;
-    fine.positions[std::size_t(e.middle)] = (mesh.positions[std::size_t(e.a)] + mesh.positions[std::size_t(e.b)]) * 0.5;
-  }
-  return fine;
+  return quartered_at_midpoints(mesh, edges_of(mesh));
 }
 
 TriangleMesh loop_subdivided(const TriangleMesh& mesh)
 {
   const Edges edges = edges_of(mesh);
-  TriangleMesh fine{mesh.positions, quartered(mesh, edges)};
-  fine.positions.resize(mesh.positions.size() + edges.size());
+  TriangleMesh fine = quartered_at_midpoints(mesh, edges);
   for (const auto& entry : edges) {
     const SharedEdge& e = entry.second;
-    const Vec3 ends = mesh.positions[std::size_t(e.a)] + mesh.positions[std::size_t(e.b)];
+    if (is_rim(e)) continue;
     Vec3& middle = fine.positions[std::size_t(e.middle)];
-    middle = ends * 0.5;
-    if (!is_rim(e))
-      middle = ends * (3.0 / 8) +
-               (mesh.positions[std::size_t(e.opposite[0])] + mesh.positions[std::size_t(e.opposite[1])]) * (1.0 / 8);
+    middle = middle * (3.0 / 4) +
+             (mesh.positions[std::size_t(e.opposite[0])] + mesh.positions[std::size_t(e.opposite[1])]) * (1.0 / 8);
   }
   const std::vector<bool> on_rim = rim_vertices(mesh, edges);
   const NeighbourSums sums = neighbour_sums(mesh, edges, on_rim);
