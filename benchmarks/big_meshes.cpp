@@ -2,7 +2,7 @@
 // Time, memory and the longest wait between two calls of the callback as meshes grow; prints the table of
 // docs/robustness.md.
 //   big_meshes [million vertices ...]        default: 0.1 1 5 10
-// Each size and setting runs in a process of its own, whose peak memory is then its own.
+// Each size and setting runs in its own process, so that peak memory is measured separately.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ using namespace test_support;
 
 namespace {
 
-/// A noisy, irregular torus of about so many vertices.
+/// A noisy, irregular torus with about the given number of vertices.
 TriangleMesh big_mesh(double vertices)
 {
   const int around = int(std::lround(std::sqrt(vertices / 0.55) / 2)) * 2;

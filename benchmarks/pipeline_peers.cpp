@@ -24,10 +24,10 @@ using namespace test_support;
 
 namespace {
 
-/// Makes the kernel count the peak memory anew.
+/// Resets the kernel's record of the peak memory.
 void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-/// Runs one method and prints its row; the first row is what the others are compared with.
+/// Runs one method and prints its row. The others are compared with the first.
 class Table {
  public:
   explicit Table(double vertices) : vertices_(vertices)
@@ -82,13 +82,13 @@ int main(int argc, char** argv)
     parameters.scales = 8;
     parameters.engine = engine;
     parameters.threads = workers;
-    if (engine == EngineKind::surface_integral) ours = {};  // its memory is not this run's
+    if (engine == EngineKind::surface_integral) ours = {};  // frees its memory before the next run
     Result result = compute_curvature(mesh, parameters);
     const double mean = mean_curvature(result);
     if (engine == EngineKind::surface_integral) ours = std::move(result);
     return mean;
   };
-  // The others have one thread.
+  // The other libraries use one thread.
   for (const int workers : threads > 1 ? std::vector<int>{1, threads} : std::vector<int>{1})
     table.run("whole filter, surface engine", 8, workers, 5,
               [&] { return filter(EngineKind::surface_integral, workers); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a benchmark has used of the machine so far.
+// Time and memory that the process has used so far.
 #pragma once
 
 #include <sys/resource.h>
@@ -23,7 +23,7 @@ inline double cpu_seconds()
          1e-6 * double(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// Bytes of a field of the kernel's record of this process, such as VmRSS: or VmHWM:.
+/// Bytes in a field of /proc/self/status, such as "VmRSS:" or "VmHWM:".
 inline double memory_bytes(const char* field)
 {
   std::ifstream status("/proc/self/status");

@@ -13,7 +13,7 @@ std::vector<std::string> cad_model_names();
 
 /// Reads folder/name.ply: little-endian vertices with x y z, normal, k1 k2, d1, d2 and `ring`, the distance in edges to
 /// the nearest edge of the CAD surface (0: no truth there). Vertices with ring ≥ 3 are judged.
-/// \throw std::runtime_error where the file is not such a one
+/// \throw std::runtime_error if the file has another layout
 TruthMesh load_cad_model(const std::string& folder, const std::string& name);
 
 }  // namespace accuracy

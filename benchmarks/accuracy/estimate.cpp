@@ -14,7 +14,7 @@ namespace {
 
 double finite(double value) { return std::isfinite(value) ? value : 0; }
 
-/// Angle between two lines, in degrees; 45, what a random guess has on average, where there is none.
+/// Angle between two lines in degrees; 45, the mean for a random direction, if one of them is missing.
 double angle_between(const Vec3& a, const Vec3& b)
 {
   const double sine = norm(cross(a, b)), cosine = std::abs(dot(a, b));

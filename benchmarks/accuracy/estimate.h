@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an estimator says at a vertex, and how far off it is.
+// An estimate at a vertex, and the error of many of them.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ namespace accuracy {
 
 struct Estimate {
   double kappa_max = 0, kappa_min = 0;  ///< 1/L, positive where convex
-  Vec3 dir_max;                         ///< of any length; zero: none
-  double standard_error = 0;            ///< of either κ, 1/L; 0: none given
+  Vec3 dir_max;                         ///< of any length; zero if there is none
+  double standard_error = 0;            ///< of either κ, 1/L; 0 if not given
 };
 
 /// The pair as (larger, smaller) with the direction of the larger; values that are not finite count as zero.
@@ -26,7 +26,7 @@ struct Metrics {
   double within_one = 0, within_two = 0;  ///< share of errors under one and two standard errors
 };
 
-/// `estimates` one for each of `truth.judged`, in that order.
+/// \param estimates one for each vertex of `truth.judged`, in that order
 Metrics compare(const TruthMesh& truth, const std::vector<Estimate>& estimates);
 
 }  // namespace accuracy

@@ -28,7 +28,7 @@ TruthMesh star_with_hole(const RadialFunction& radius, double angle, int rim, in
   return truth;
 }
 
-/// The small part stands on its head: turned about x by half a turn, then lifted.
+/// The small part is turned upside down (half a turn about x) and lifted above the large one.
 Vec3 turned(const Vec3& v) { return {v.x, -v.y, -v.z}; }
 
 /// Unit tangent of a star-shaped surface at p along its meridian, away from the +z pole.
@@ -40,7 +40,7 @@ Vec3 away_from_pole(const RadialFunction& radius, const Vec3& p)
   return normalized(ahead * radius(ahead) - direction * radius(direction));
 }
 
-/// Rows of the neck between the rims, by cubic Hermite curves that continue either surface.
+/// Rows of the neck: cubic Hermite curves between the rims, tangent to both surfaces.
 std::vector<Vec3> neck_rows(const std::vector<Vec3>& low, const std::vector<Vec3>& low_tangent,
                             const std::vector<Vec3>& high, const std::vector<Vec3>& high_tangent, int rows)
 {

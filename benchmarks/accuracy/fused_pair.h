@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bumpy sphere and its copy of 8 times the size, joined by a neck to one connected surface.
+// A bumpy sphere and a copy 8 times its size, joined by a neck into one connected surface.
 #pragma once
 
 #include <functional>

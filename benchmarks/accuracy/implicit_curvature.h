@@ -7,7 +7,7 @@
 
 namespace accuracy {
 
-/// A surface as the zero set of a function that grows outward.
+/// A surface: the zero set of a function that increases outward.
 using Implicit = std::function<double(const Vec3&)>;
 
 /// Normals, curvatures and directions of all vertices from the gradient and the Hessian of `surface`, which are taken

@@ -87,7 +87,7 @@ TruthMesh capsule()
     const double azimuth = std::atan2(p.y, p.x), rho = radius * std::sin(angle);
     p = {rho * std::cos(azimuth), rho * std::sin(azimuth), side * height};
   }
-  // Differences must not reach over the seam, where the curvature jumps: each vertex is judged by its own side.
+  // The curvature jumps at the seam, so differences are taken on the vertex's own side.
   const auto surface = [](const Vec3& p, bool capped) {
     return capped ? norm({p.x, p.y, std::abs(p.z) - half_length}) - radius : std::hypot(p.x, p.y) - radius;
   };

@@ -10,7 +10,7 @@ namespace accuracy {
 
 /// The analytic shapes of the benchmark.
 std::vector<std::string> shape_names();
-/// Those that can be meshed in other ways than regularly.
+/// The shapes that can also be meshed irregularly, graded and with slivers.
 bool is_star_shaped(const std::string& name);
 TruthMesh make_shape(const std::string& name, Meshing meshing);
 

@@ -28,10 +28,10 @@ class Cells {
     std::sort(order_.begin(), order_.end(), [&](unsigned a, unsigned b) { return key(points_[a]) < key(points_[b]); });
   }
 
-  /// Those within `radius`, at most the cells' size.
+  /// Vertices within `radius`, which must not exceed the cell size.
   void find(const Vec3& p, double radius, std::vector<Kernel::Point_3>& found) const
   {
-    found.assign(1, {p.x, p.y, p.z});  // the fit is about the first point
+    found.assign(1, {p.x, p.y, p.z});  // the jet is fitted about the first point
     for (int dx = -1; dx <= 1; ++dx)
       for (int dy = -1; dy <= 1; ++dy) {
         const Vec3 low = p + Vec3{dx * size_, dy * size_, -size_}, high = p + Vec3{dx * size_, dy * size_, size_};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Estimators of curvature in other libraries, as the speed benchmark runs them: on one thread, as they come.
+// Curvature estimators of other libraries for the speed benchmark: one thread, default settings.
 #pragma once
 
 #include "integral_invariant/mesh/surface.h"
 
 namespace peers {
 
-/// Each returns the mean of |κ_max| over the vertices, so that no work can be left out.
+/// Each returns the mean of |κ_max| over the vertices, so that the compiler cannot drop any work.
 
 /// VCG's fit of a quadric to the 1-ring (MeshLab: quadric fitting).
 double vcg_quadric(const integral_invariant::TriangleMesh& mesh);

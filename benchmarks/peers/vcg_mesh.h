@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A VCG mesh that has all that VCG's curvature estimators ask for, in double precision; for all benchmarks.
+// A VCG mesh in double precision with every component that VCG's curvature estimators need.
 #pragma once
 
 #include <vector>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t judged_vertices = 800;
 
-/// Vertices that are to be judged: in a triangle, and not on a rim nor next to one.
+/// Vertices that can be judged: in a triangle, neither on a boundary nor next to one.
 std::vector<bool> inner_vertices(const TriangleMesh& mesh)
 {
   std::set<std::pair<int, int>> open;
@@ -47,7 +47,7 @@ Vec3 gradient_of(const Implicit& f, const Vec3& p)
 
 Vec3 project(const Implicit& field, const Vec3& p)
 {
-  // Newton's step onto the zero set, then along it towards the foot of the perpendicular; both shrink fast near it.
+  // Newton's step onto the zero set, then a step along it towards the foot of the perpendicular.
   constexpr int steps = 25;
   constexpr double small = 1e-12;
   Vec3 q = p;

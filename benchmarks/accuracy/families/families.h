@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kinds of mesh that pipelines make: noise × meshing, each on several shapes.
+// Families of cells: kinds of noise and meshing that real pipelines make, each on several shapes.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,21 @@ namespace accuracy {
 struct FamilyCell {
   std::string family;
   ExactShape shape;
-  double level = 0;  ///< of the noise, in average edges; what it means for the family stands in families.cpp
+  double level = 0;  ///< noise level, in average edges unless families.cpp says otherwise
   std::uint32_t seed = 0;
-  /// The mesh that the methods get, and what is true of it.
+  /// Makes the mesh that the methods get, with its truth.
   std::function<TruthMesh(const FamilyCell&)> make;
 
   std::string name() const { return family + '/' + shape.name; }
 };
 
-/// Every family on each of its shapes; the same seed gives the same cells. `models`: the folder of the CAD models with
-/// exact curvature, which the tuning half has in its families of weak noise; empty: without them.
+/// Every family on each of its shapes; the same seed gives the same cells.
+/// \param models folder of the CAD models with exact curvature, which the tuning half uses in its families of weak
+/// noise; empty: without them
 std::vector<FamilyCell> draw_cells(Half half, std::uint32_t seed, const std::string& models);
 
-/// White noise of 0.05 to 1 ē on meshes of 41,000 vertices, and two shapes of some other families: what slower
-/// estimators are run on.
+/// White noise of 0.05 to 1 ē on meshes of 41,000 vertices, and two shapes of some other families: the cells for
+/// slower estimators.
 std::vector<FamilyCell> draw_peer_cells(std::uint32_t seed);
 
 }  // namespace accuracy

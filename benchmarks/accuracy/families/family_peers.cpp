@@ -18,16 +18,16 @@ namespace accuracy {
 namespace {
 
 constexpr const char* usage = "usage: accuracy family_peers [--seed N] [--cells TEXT] [--peers FILE]";
-/// The others take up to a tenth of a second a vertex.
+/// Some estimators take a tenth of a second a vertex at the largest radii.
 constexpr std::size_t judged_vertices = 200;
 
 struct Comparison {
   std::string family, shape;
   OwnResult ours;
   std::vector<ReferenceResult> peers;
-  ReferenceResult by_mean, by_direction;  ///< the best of them, by either error
+  ReferenceResult by_mean, by_direction;  ///< the best peer by each error
 
-  /// Chooses the best among all peers but the one named.
+  /// Chooses the best peer, leaving out the one named.
   void choose_best(const std::string& left_out = "")
   {
     by_mean = by_direction = {};
@@ -42,7 +42,7 @@ struct Comparison {
   double direction_ratio() const { return ours.metrics.direction / by_direction.direction; }
 };
 
-/// Fewer judged vertices, evenly: they are in the order of their numbers.
+/// Keeps every n-th judged vertex; they are sorted by index.
 void thin_out(TruthMesh& truth)
 {
   const std::size_t count = truth.judged.size();
@@ -102,7 +102,7 @@ void print_summary(const std::string& name, const std::vector<Comparison>& compa
               worst_direction);
 }
 
-/// The cells of the families whose names begin so.
+/// The cells of the families whose names begin with `name`.
 std::vector<Comparison> beginning_with(const std::string& name, const std::vector<Comparison>& all)
 {
   std::vector<Comparison> chosen;

@@ -8,7 +8,7 @@ namespace accuracy {
 
 namespace {
 
-/// What a line of the table says about some rows.
+/// One line of the table: a summary of some rows.
 struct Summary {
   std::size_t cells = 0, lost = 0;
   double log_constant = 0, worst = 0, log_published = 0, log_direction = 0, mean = 0, worst_mean = 0;

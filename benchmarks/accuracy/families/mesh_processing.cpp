@@ -58,7 +58,7 @@ std::vector<Triangle> quartered(const TriangleMesh& mesh, const Edges& edges)
   return triangles;
 }
 
-/// Sum and number of the neighbours of every vertex; of rim vertices the neighbours along the rim alone.
+/// Sum and number of the neighbours of every vertex; boundary vertices only count neighbours along the boundary.
 struct NeighbourSums {
   std::vector<Vec3> sum;
   std::vector<int> count;
@@ -105,10 +105,7 @@ void smooth(TriangleMesh& mesh, double factor)
       mesh.positions[v] += (sums.sum[v] * (1.0 / sums.count[v]) - mesh.positions[v]) * factor;
 }
 
-TriangleMesh midpoint_subdivided(const TriangleMesh& mesh)
-{
-  return quartered_at_midpoints(mesh, edges_of(mesh));
-}
+TriangleMesh midpoint_subdivided(const TriangleMesh& mesh) { return quartered_at_midpoints(mesh, edges_of(mesh)); }
 
 TriangleMesh loop_subdivided(const TriangleMesh& mesh)
 {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pipelines do to meshes, as far as neighbourhoods suffice for it.
+// Mesh processing that only needs the neighbours of a vertex.
 #pragma once
 
 #include "integral_invariant/mesh.h"
 
 namespace accuracy {
 
-/// One Laplacian pass: every vertex moves by `factor` of the way to the mean of its neighbours; rims stay.
+/// One Laplacian pass: every vertex moves the fraction `factor` of the way to the mean of its neighbours; boundaries
+/// stay.
 void smooth(integral_invariant::TriangleMesh& mesh, double factor);
 
 /// Each triangle into four, the new vertices at the middle of the edges.

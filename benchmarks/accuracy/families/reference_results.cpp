@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* header = "cell,level,seed,edge,method,mean,mean_radius,direction,direction_radius";
 
-/// Compilers differ in the last bits of a mesh; another mesh differs by more.
+/// Compilers may differ in the last bits of a mesh.
 bool are_equal(double a, double b) { return std::abs(a - b) <= 1e-4 * std::abs(b); }
 
 }  // namespace

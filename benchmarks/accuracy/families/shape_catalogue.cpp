@@ -30,7 +30,7 @@ ExactShape star(std::string name, std::string group, Implicit field, double half
   return {std::move(name), std::move(group), field, cube(half_domain), mesh, {}, false};
 }
 
-/// A sum of plane waves in random directions, of one wavenumber drawn between the limits each.
+/// A sum of plane waves in random directions, each with a random wavenumber between the limits.
 struct Waves {
   struct Wave {
     Vec3 k;
@@ -196,7 +196,7 @@ ExactShape wavy_patch(const std::string& name, double least, double largest, std
       generator);
 }
 
-/// The same mesh each time, computed once for each number of vertices.
+/// Caches the mesh for each number of vertices.
 void keep_meshes(ExactShape& shape)
 {
   const auto kept = std::make_shared<std::map<int, TriangleMesh>>();
@@ -237,7 +237,7 @@ std::vector<ExactShape> draw_shapes(Half half, std::mt19937& g)
 
 std::vector<ExactShape> textured_shapes(double edges, int vertices, std::mt19937& generator)
 {
-  constexpr double slope = 0.3;  // steepest, about
+  constexpr double slope = 0.3;  // largest slope, approximately
   const double turn = uniform(generator, 0, pi);
   const double patch_edge = 2 / std::sqrt(vertices * std::sqrt(3.0) / 2);
   const double k = pi / (edges * patch_edge), height = slope / k;
@@ -248,7 +248,8 @@ std::vector<ExactShape> textured_shapes(double edges, int vertices, std::mt19937
   std::vector<ExactShape> shapes{patch("textured_patch", bumps, generator)};
 
   const double tube = 0.4, torus_edge = std::sqrt(4 * pi * pi * tube / vertices * 2 / std::sqrt(3.0));
-  // A whole number of bumps both ways: about the tube they are as wide as asked, about the axis so on average.
+  // A whole number of bumps in both directions: their width is as asked around the tube, and on average around the
+  // axis.
   const double around_tube = std::round(pi * tube / (edges * torus_edge));
   const double around_axis = std::round(pi / (edges * torus_edge));
   const double rise = slope * tube / around_tube;

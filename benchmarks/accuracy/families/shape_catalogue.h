@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shapes of the families, of size 1, their proportions drawn at random.
+// The shapes of the families, of size 1 and random proportions.
 #pragma once
 
 #include <random>
@@ -9,7 +9,7 @@
 
 namespace accuracy {
 
-/// Which shapes: those to develop with, or others that only the report sees.
+/// The shapes to develop with, or those that only the report uses.
 enum class Half { tuning, report };
 
 std::vector<ExactShape> draw_shapes(Half half, std::mt19937& generator);

@@ -64,7 +64,7 @@ TriangleMesh taken(Mesh& m)
   return mesh;
 }
 
-/// Hands the cells of a volume to VCG's marching cubes, and its vertices on the grid's edges to all cells around.
+/// Feeds the cells of a volume to VCG's marching cubes; cells share the vertices on their common edges.
 class Walker {
  public:
   Walker(const Volume& volume, Mesh& mesh) : volume_(volume), mesh_(mesh) {}
@@ -104,7 +104,7 @@ class Walker {
   std::map<std::pair<vcg::Point3i, vcg::Point3i>, std::size_t> vertices_;
 };
 
-/// The volume's value at a place, by its nearest voxel.
+/// The value of the nearest voxel.
 double nearest_value(const Volume& volume, const Vec3& p)
 {
   const Vec3 off = p - volume.origin;
@@ -115,7 +115,7 @@ double nearest_value(const Volume& volume, const Vec3& p)
                    along(off.z, volume.spacing.z, volume.size[2]));
 }
 
-/// Whether most triangles face towards smaller values.
+/// Whether most triangles face smaller values.
 bool faces_inward(const TriangleMesh& mesh, const Volume& volume)
 {
   const double step = std::max({volume.spacing.x, volume.spacing.y, volume.spacing.z});
@@ -157,7 +157,7 @@ TriangleMesh isotropically_remeshed(const TriangleMesh& mesh, double edge)
   vcg::tri::UpdateTopology<Mesh>::FaceFace(m);
   typename vcg::tri::IsotropicRemeshing<Mesh>::Params parameters;
   parameters.SetTargetLen(edge);
-  parameters.SetFeatureAngleDeg(180);  // noise makes no creases
+  parameters.SetFeatureAngleDeg(180);  // so that noise is not taken for creases
   parameters.maxSurfDist = edge;
   parameters.iter = iterations;
   vcg::tri::IsotropicRemeshing<Mesh>::Do(m, original, parameters);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields on grids, and the surfaces that marching cubes find in them.
+// Scalar fields on grids, and marching cubes.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace accuracy {
 struct Volume {
   Vec3 origin, spacing;
   std::array<int, 3> size{};
-  std::vector<double> value;  ///< x fastest; in units of the shortest spacing where it is a distance
+  std::vector<double> value;  ///< x varies fastest; distances are in units of the smallest spacing
 
   double& at(int x, int y, int z) { return value[index(x, y, z)]; }
   double at(int x, int y, int z) const { return value[index(x, y, z)]; }
@@ -26,7 +26,7 @@ struct Volume {
   }
 };
 
-/// Signed distances to the surface, to first order, out to three voxels; shifted against the domain by a random part
+/// Signed distances to the surface, to first order, clamped at three voxels. The grid is shifted by a random fraction
 /// of a voxel.
 Volume sample(const ExactShape& shape, const Vec3& spacing, std::mt19937& generator);
 
@@ -37,12 +37,12 @@ void blur(Volume& volume);
 void add_white(Volume& volume, double level, std::mt19937& generator);
 
 /// The signed distance to an oriented cloud of points, as the Gaussian-weighted mean of the distances to their tangent
-/// planes (implicit moving least squares) of width `width`; far from the cloud that of `sign`.
+/// planes (implicit moving least squares) of width `width`; far from the cloud, the distance of `sign`.
 Volume distance_to_points(const std::vector<Vec3>& points, const std::vector<Vec3>& normals, double width,
                           const Volume& sign);
 
-/// The zero set by VCG's marching cubes, oriented towards growing values. Vertices lie on the grid's edges, where
-/// linear interpolation has its zero.
+/// The zero set by VCG's marching cubes with linear interpolation along the grid's edges, oriented towards larger
+/// values.
 TriangleMesh marching_cubes(const Volume& volume);
 
 }  // namespace accuracy

@@ -43,7 +43,7 @@ class AlgebraicSpheres : public Peer {
   std::vector<Estimate> estimate(const std::vector<std::uint32_t>& vertices, const std::vector<Vec3>& normals,
                                  double radius) override
   {
-    constexpr double least_radius = 2;  // edges: within less there may be the vertex alone
+    constexpr double least_radius = 2;  // in edges; a smaller ball may hold the vertex alone
     radius = std::max(radius, least_radius * edge_);
     std::vector<Estimate> result;
     for (std::size_t i = 0; i < vertices.size(); ++i)

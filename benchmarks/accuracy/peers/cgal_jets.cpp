@@ -18,7 +18,7 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Jet = CGAL::Monge_via_jet_fitting<Kernel>;
 
-/// The vertices of a mesh near a place, by cells.
+/// Finds the vertices near a vertex with a grid of cells.
 class Neighbourhoods {
  public:
   Neighbourhoods(const TriangleMesh& mesh, double cell) : points_(mesh.positions), cell_(cell)
@@ -26,7 +26,7 @@ class Neighbourhoods {
     for (std::uint32_t v = 0; v < points_.size(); ++v) cells_[key(points_[v])].push_back(v);
   }
 
-  /// Those within `radius` of vertex `v`, at least `count` of them, the nearest (v itself) first.
+  /// The vertices within `radius` of `v`, `v` first; the radius grows until there are `count`.
   std::vector<std::uint32_t> around(std::uint32_t v, double radius, std::size_t count) const
   {
     for (;; radius *= 1.2) {

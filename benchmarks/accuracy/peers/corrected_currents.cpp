@@ -28,7 +28,7 @@ struct Measures {
 
 class CorrectedCurrents : public Peer {
  public:
-  /// `share`: the radius of the measures over that of the planes.
+  /// `share`: radius of the measures divided by that of the planes.
   CorrectedCurrents(const TriangleMesh& mesh, double share)
       : mesh_(mesh),
         share_(share),
@@ -53,7 +53,7 @@ class CorrectedCurrents : public Peer {
   }
 
  private:
-  static constexpr double least_radius = 1.5;  ///< edges: fewer points make no plane
+  static constexpr double least_radius = 1.5;  ///< in edges; fewer points do not determine a plane
 
   static std::vector<Vec3> centres_of(const TriangleMesh& mesh)
   {
@@ -65,7 +65,7 @@ class CorrectedCurrents : public Peer {
     return centres;
   }
 
-  /// Normal of the plane through the vertices within the radius, computed when first asked for.
+  /// Normal of the plane through the vertices within the radius, computed on first use.
   const Vec3& normal_of(std::uint32_t v)
   {
     if (known_[v]) return normal_[v];

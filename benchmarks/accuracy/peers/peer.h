@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Estimators of other libraries, as the benchmark sees them.
+// The interface through which the benchmark runs other estimators.
 #pragma once
 
 #include <memory>
@@ -15,9 +15,9 @@ class Peer {
  public:
   virtual ~Peer() = default;
   virtual std::string name() const = 0;
-  /// Whether it takes a radius; one that does not is run once.
+  /// An estimator without a radius is run once.
   virtual bool takes_radius() const = 0;
-  /// Estimates at `vertices`. \param normals true normals there, used for nothing but to tell outside from inside
+  /// Estimates at `vertices`. \param normals true normals there; they only decide the sign
   virtual std::vector<Estimate> estimate(const std::vector<std::uint32_t>& vertices, const std::vector<Vec3>& normals,
                                          double radius) = 0;
 };

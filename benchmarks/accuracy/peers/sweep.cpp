@@ -10,9 +10,9 @@ namespace accuracy {
 
 namespace {
 
-/// Over the edge.
+/// In average edge lengths.
 constexpr double radii[] = {1, 1.5, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 25, 32, 40};
-/// How many times the least error counts as past the optimum. Over one radius errors change by less than 2.
+/// An error this many times the smallest one is past the optimum: from one radius to the next errors change less.
 constexpr double past_optimum = 2.5;
 
 }  // namespace

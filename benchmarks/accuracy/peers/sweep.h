@@ -9,8 +9,8 @@
 namespace accuracy {
 
 /// Calls `take(radius, metrics, seconds)` for radii from 1 to 40 times `edge`; once, with radius 0, for an estimator
-/// that takes none. The sweep ends early where both errors are many times the least so far: from there on they only
-/// grow, and the largest radii take the most time.
+/// that takes none. The sweep stops once both errors are far above their minima: they only grow from there, and large
+/// radii are the slowest.
 void sweep_radii(Peer& peer, const TruthMesh& truth, double edge,
                  const std::function<void(double radius, const Metrics& metrics, double seconds)>& take);
 

@@ -11,7 +11,7 @@ using namespace peers;
 
 namespace {
 
-/// With the parameters that MeshLab gives it, but for the radius. It has no way to look at some vertices only.
+/// With MeshLab's parameters except the radius. It can only process the whole mesh.
 class VcgPca : public Peer {
  public:
   explicit VcgPca(const TriangleMesh& mesh) { fill(mesh_, mesh); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of UpdateCurvatureFitting::updateCurvatureLocal at the judged vertices alone.
+// UpdateCurvatureFitting::updateCurvatureLocal, run only at the judged vertices.
 #include "peers/vcg_mesh.h"
 
 #include <vcg/complex/algorithms/update/curvature_fitting.h>
@@ -40,7 +40,7 @@ class VcgQuadric : public Peer {
     Fitting::computeReferenceFramesLocal(&v, normal, &frame);
     Fitting::QuadricLocal quadric(0, 0, 0, 0, 0);
     Fitting::fitQuadricLocal(&v, frame, near, &quadric);
-    const vcg::Point3d own_normal = v.N();  // finalEigenStuff overwrites it, and other vertices average it
+    const vcg::Point3d own_normal = v.N();  // finalEigenStuff overwrites the normal, which other vertices still need
     Fitting::finalEigenStuff(&v, frame, quadric);
     v.N() = own_normal;
     return ordered(v.K1(), v.K2(), to_vec3(v.PD1()), to_vec3(v.PD2()));
