@@ -2,6 +2,7 @@
 #include "api_2021_05.h"
 
 #include "../help_text.h"
+#include "pymeshlab_log.h"
 #include "run_filter.h"
 
 namespace ii = integral_invariant::filter;
@@ -10,6 +11,12 @@ namespace {
 
 /// Our enumeration and FilterId count alike.
 ii::FilterId filter_of(int type) { return static_cast<ii::FilterId>(type); }
+
+[[noreturn]] void fail(const std::string& sentence)
+{
+  ii::make_pymeshlab_forget_its_log();
+  throw MLException(sentence.c_str());
+}
 
 /// The summary as PyMeshLab's apply_filter() returns it.
 std::map<std::string, QVariant> output_map(const ii::RunReport& report)
@@ -98,9 +105,9 @@ std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(const 
     for (const std::string& line : report.log) log(line);
     return output_map(report);
   } catch (const std::exception& error) {
-    throw MLException(ii::failure_text(error).c_str());
+    fail(ii::failure_text(error));
   } catch (...) {
-    throw MLException("An unknown error stopped the filter. The mesh is unchanged.");
+    fail("An unknown error stopped the filter. The mesh is unchanged.");
   }
 }
 

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """pymeshlab_test.py DOCUMENT PLUGIN MESH CORE: runs the document's Python example and compares its arrays with the core's."""
 
+import contextlib
 import re
+import resource
 import sys
+import tempfile
 
 import numpy as np
 
+BATCH = 100
 FILTER = "compute_curvature_by_integral_invariants_per_vertex"
 
 
@@ -52,6 +56,39 @@ def check_refusals(found):
             raise AssertionError(f"{parameters} was not refused")
 
 
+@contextlib.contextmanager
+def files_no_larger_than(size):
+    """As on a full disk: the export is refused when all is measured."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def check_batch_with_refusals(mesh_file):
+    """A mesh set a file, every second of which is refused: before the first report of progress, or after the last."""
+    import pymeshlab
+    with tempfile.TemporaryDirectory() as folder:
+        refused = ({"alpha": -1.0}, {"noise": 1e9}, {"export_file": "/no such folder/out.ply"}, {"export_file": f"{folder}/out.ply"})
+        refusals, results = 0, set()
+        for i in range(BATCH):
+            meshes = pymeshlab.MeshSet()
+            meshes.load_new_mesh(mesh_file)
+            if i % 2:
+                results.add(meshes.apply_filter(FILTER, scales=3)["maximal_max"])
+                continue
+            try:
+                with files_no_larger_than(1000):
+                    meshes.apply_filter(FILTER, **refused[i // 2 % len(refused)])
+            except pymeshlab.PyMeshLabException:
+                refusals += 1
+    assert refusals == BATCH // 2, refusals
+    assert len(results) == 1, results
+    print(f"{BATCH} files in one batch, {refusals} of them refused")
+
+
 def check_features(found):
     """The other filters: what they return is what the meshes then hold."""
     import pymeshlab
@@ -89,6 +126,7 @@ def main(document, plugin, mesh, core_file):
     check_summary(found["summary"], core)
     check_refusals(found)
     check_features(found)
+    check_batch_with_refusals(mesh)
     print("PyMeshLab and the core agree")
 
 
