@@ -15,6 +15,7 @@
 #include <common/utilities/load_save.h>
 
 #include "exit_status.h"
+#include "saved_files.h"
 #include "terminal.h"
 
 namespace runner {
@@ -224,15 +225,18 @@ void Session::save_current_mesh(const std::string& file, bool ascii)
   plugin->exportMaskCapability(format, capability, defaults);
   plugin->setLog(&state_->log);
   if (defaults & Mask::IOM_BITPOLYGONAL) mesh->updateDataMask(MeshModel::MM_FACEFACETOPO);  // what tells polygons apart
+  std::string folder;  // of no interest to the user, but in MeshLab's sentence
   try {
-    plugin->save(format, QString::fromStdString(fs::absolute(file).string()), *mesh,
+    const SavedFiles saved(file);
+    folder = saved.file().parent_path().string() + "/";
+    plugin->save(format, QString::fromStdString(saved.file().string()), *mesh,
                  saved_fields(*mesh, capability, defaults), save_parameters(*plugin, format, *mesh, ascii),
                  &show_progress);
+    saved.move_into_place();
   } catch (const std::exception& error) {
-    throw Failure(ExitStatus::output_not_written, "cannot write " + file + ": " + in_one_line(error.what()));
+    const QString reason = QString(error.what()).remove(QString::fromStdString(folder));
+    throw Failure(ExitStatus::output_not_written, "cannot write " + file + ": " + in_one_line(reason.toStdString()));
   }
-  // Not every format's plugin notices that its file could not be written.
-  if (!fs::is_regular_file(file)) throw Failure(ExitStatus::output_not_written, "cannot write " + file + ".");
   say("wrote " + file);
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "hosts/host.h"
+#include "support/full_disk.h"
 #include "support/message_list.h"
 #include "support/shapes.h"
 
@@ -165,6 +166,28 @@ TEST_F(ScriptRunner, EndsWith6WhereTheOutputIsNotWritten)
   expect_failure({"-i", "mesh.ply", "-o", "nowhere/saved.ply"}, 6, "cannot write nowhere/saved.ply");
   expect_failure({"-i", "mesh.ply", "-s", script("<filter name=\"Delete Current Mesh\"/>"), "-o", "saved.ply"}, 6,
                  "left no mesh to save");
+  fs::create_directory(folder_ / "folder.ply");
+  expect_failure({"-i", "mesh.ply", "-o", "folder.ply"}, 6, "cannot write folder.ply: it is a folder");
+}
+
+TEST_F(ScriptRunner, SavesAWholeFileOrNoneOnADiskOfAnySize)
+{
+  ASSERT_EQ(run({"-i", "mesh.ply", "-o", "whole.ply"}).status, 0);
+  const std::string whole = read_text(folder_ / "whole.ply"), disk = folder_ / "disk",
+                    saved = folder_ / "disk/saved.ply";
+  fs::create_directory(disk);
+  constexpr std::size_t step = 4096, room_to_spare = 128 << 10;
+  for (std::size_t room = 2 * step; room < whole.size() + 2 * step; room += step) {
+    const SmallDisk small(disk, room);
+    if (!small.unavailable().empty()) GTEST_SKIP() << "only root can do this: " << small.unavailable();
+    const ProgramResult result = run({"-i", "mesh.ply", "-o", "disk/saved.ply"});
+    EXPECT_EQ(result.status, 6) << room << ": " << result.output;
+    EXPECT_TRUE(is_listed(last_words(result.output))) << last_words(result.output);
+    EXPECT_TRUE(fs::is_empty(disk)) << room;
+  }
+  const SmallDisk large(disk, whole.size() + room_to_spare);
+  EXPECT_EQ(run({"-i", "mesh.ply", "-o", "disk/saved.ply"}).status, 0);
+  EXPECT_EQ(read_text(saved), whole);
 }
 
 }  // namespace
