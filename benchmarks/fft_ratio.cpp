@@ -74,8 +74,8 @@ void measure(const Size& grid, bool json)
   const double time = seconds_of([&] { engine->evaluate(radii, sink, execution); });
   double own = 0;
   for (const double radius : radii) {
-    const TileLayout layout =
-        make_tile_layout(surface, radius, parameters.fft_cells_per_radius, std::size_t(1) << 33, execution);
+    const Tiling layout =
+        make_tiling(surface, radius, parameters.fft_cells_per_radius, std::size_t(1) << 33, execution);
     own += transform_seconds(layout.shape.size, double(layout.tiles.size()) * (1 + moment_count), execution);
   }
   const double published = transform_seconds(grid, 1 + moment_count * scale_count, execution);

@@ -59,7 +59,7 @@ CanonicalMesh canonical_mesh(const TriangleMesh& mesh, const Request& request, c
 {
   Execution execution(request.method.threads, progress);
   execution.begin_stage("checking the surface", 0);
-  return in_canonical_order(mesh, execution);
+  return make_canonical_mesh(mesh, execution);
 }
 
 /// The log of a run whose own findings are `lines`.

@@ -40,7 +40,7 @@ struct FeatureOutcome {
 };
 
 /// Runs one of the filters other than FilterId::curvature. The order of vertices, faces and corners within a face
-/// changes nothing but the order of what belongs to the vertices (see in_canonical_order()). \throw InputError and its
+/// changes nothing but the order of what belongs to the vertices (see make_canonical_mesh()). \throw InputError and its
 /// kinds, Cancelled
 FeatureOutcome compute_feature(FilterId filter, const TriangleMesh& mesh, const Request& request,
                                const ProgressCallback& progress);

@@ -32,13 +32,13 @@ Creases creases_of(const Surface& surface, double sigma)
           radii,
           [&](std::size_t v, int i, const BallMoments& m) {
             const OffsetFreeMeasure measure = offset_free_measure(m, radii[i]);
-            tensors.set(v, i, without_own_bias(measure.tensor, radii[i], measure.offset, 0));
+            tensors.set(v, i, correct_ball_bias(measure.tensor, radii[i], measure.offset, 0));
           },
           execution);
-  Noise noise;
+  NoiseLevel noise;
   noise.sigma.assign(surface.vertex_count(), sigma);
   noise.density.assign(surface.vertex_count(), area_each * sigma * sigma);
-  return find_creases(surface, tensors, fit_vertices(surface, tensors, execution), noise, {}, execution);
+  return find_creases(surface, tensors, fit_jets(surface, tensors, execution), noise, {}, execution);
 }
 
 /// Distance of a point of the unit box to the nearest edge of it.

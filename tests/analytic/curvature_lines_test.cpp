@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integral_invariant/features/surface_walk.h"
 #include "integral_invariant/curvature.h"
 #include "integral_invariant/error.h"
+#include "integral_invariant/features/surface_walk.h"
 #include "support/feature_shapes.h"
 
 using namespace integral_invariant;

@@ -7,10 +7,10 @@
 #include <fstream>
 
 #include "hosts/host.h"
-#include "integral_invariant/mesh/canonical_mesh.h"
+#include "integral_invariant/curvature.h"
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/signature.h"
-#include "integral_invariant/curvature.h"
+#include "integral_invariant/mesh/canonical_mesh.h"
 #include "support/feature_shapes.h"
 
 namespace test_support {
@@ -66,7 +66,7 @@ TEST_P(FeatureFilters, CrestLinesAreTheCoresAndMeshLabSavesTheirEdges)
   ASSERT_EQ(result.status, 0) << result.log;
   const PlyFile exported = read_ply(folder_ / "crest.ply");
 
-  const TriangleMesh single = in_canonical_order(in_single_precision(mesh)).mesh;  // as the filter does
+  const TriangleMesh single = make_canonical_mesh(in_single_precision(mesh)).mesh;  // as the filter does
   Execution execution;
   const auto lines = find_crest_lines(Surface(single), curvature_field(compute_curvature(single, {})), {}, execution);
   ASSERT_EQ(lines.size(), 1u);

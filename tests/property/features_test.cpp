@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "integral_invariant/curvature.h"
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/curvature_lines.h"
-#include "integral_invariant/curvature.h"
 #include "support/feature_shapes.h"
 
 using namespace integral_invariant;

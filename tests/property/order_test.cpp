@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "integral_invariant/features/signature.h"
 #include "integral_invariant/curvature.h"
+#include "integral_invariant/features/signature.h"
 #include "support/shapes.h"
 #include "support/shuffle.h"
 

@@ -2,10 +2,10 @@
 // Memory that runs out at any allocation is survived: std::bad_alloc reaches the caller, and nothing is lost.
 #include <gtest/gtest.h>
 
+#include "integral_invariant/curvature.h"
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/curvature_lines.h"
 #include "integral_invariant/features/signature.h"
-#include "integral_invariant/curvature.h"
 #include "support/failing_allocation.h"
 #include "support/shapes.h"
 

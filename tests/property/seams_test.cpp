@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "integral_invariant/mesh/coordinate_step.h"
-#include "integral_invariant/features/signature.h"
 #include "integral_invariant/curvature.h"
+#include "integral_invariant/features/signature.h"
+#include "integral_invariant/mesh/coordinate_step.h"
 #include "support/shapes.h"
 #include "support/shuffle.h"
 #include "support/single_precision.h"

@@ -7,10 +7,10 @@
 #include <ctime>
 #include <random>
 
+#include "integral_invariant/curvature.h"
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/curvature_lines.h"
 #include "integral_invariant/features/signature.h"
-#include "integral_invariant/curvature.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

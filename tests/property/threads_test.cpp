@@ -5,10 +5,10 @@
 
 #include <atomic>
 
+#include "integral_invariant/curvature.h"
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/curvature_lines.h"
 #include "integral_invariant/moments/engine.h"
-#include "integral_invariant/curvature.h"
 #include "support/shapes.h"
 
 using namespace integral_invariant;

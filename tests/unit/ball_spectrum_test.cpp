@@ -43,23 +43,23 @@ double frequency(int i, int n) { return 2 * pi * (2 * i <= n ? i : i - n) / n; }
 
 TEST(BallSpectrum, SeriesAndClosedFormMeet)
 {
-  const auto below = ball_spectrum(2 - 1e-9), above = ball_spectrum(2 + 1e-9);
+  const auto below = radial_spectra(2 - 1e-9), above = radial_spectra(2 + 1e-9);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(below[i], above[i], 1e-8 * std::abs(above[i]));
 }
 
 TEST(BallSpectrum, AtZeroHoldsTheMomentsOfTheUnitBall)
 {
-  const auto spectrum = ball_spectrum(0);
+  const auto spectrum = radial_spectra(0);
   EXPECT_NEAR(spectrum[0], 4 * pi / 3, 1e-15);
   EXPECT_NEAR(spectrum[1], 4 * pi / 15, 1e-15);
   EXPECT_NEAR(spectrum[2], 4 * pi / 105, 1e-15);
 }
 
-TEST(BallKernel, AllTenAgreeWithNumericalIntegration)
+TEST(BallSpectrum, AllTenAgreeWithNumericalIntegration)
 {
   const std::size_t half = std::size_t(size[2]) / 2 + 1, count = std::size_t(size[0]) * std::size_t(size[1]) * half;
   const std::vector<std::complex<float>> ones(count, 1.0f);
-  const BallKernel kernel(size, radius);
+  const BallSpectrum kernel(size, radius);
   const std::array<std::array<int, 3>, 5> places{{{0, 0, 0}, {1, 0, 0}, {2, 11, 3}, {13, 4, 1}, {15, 10, 6}}};
   for (const auto& at : places) {
     const Vec3 k{frequency(at[0], size[0]), frequency(at[1], size[1]), frequency(at[2], size[2])};

@@ -36,8 +36,8 @@ struct Setting {
   Execution execution{1};
   static constexpr double truth = 0.3;
   std::vector<Vec3> places;
-  ChainResult chain;
-  FittedSignal fitted{1, Evidence::joint, {}, {}, {}};
+  FilteredSignal chain;
+  JetObservation fitted{1, GainSharing::joint, {}, {}, {}};
 };
 
 }  // namespace
@@ -45,7 +45,7 @@ struct Setting {
 TEST(VertexStep, FitsOfLittleNoiseReplaceABiasedChain)
 {
   Setting setting(0.01, 1e-5);
-  add_vertex_step(setting.fitted, GridPool(setting.places, 8, setting.execution), setting.chain, setting.execution);
+  fuse_jets(setting.fitted, KernelSum(setting.places, 8, setting.execution), setting.chain, setting.execution);
   EXPECT_LT(setting.mean_error(), 0.01 / 20);
   EXPECT_NEAR(std::sqrt(setting.chain.variance[1000][0]), 2e-5, 1e-6);
 }
@@ -53,7 +53,7 @@ TEST(VertexStep, FitsOfLittleNoiseReplaceABiasedChain)
 TEST(VertexStep, NoisyFitsAreLeftAlone)
 {
   Setting setting(0.01, 0.1);
-  add_vertex_step(setting.fitted, GridPool(setting.places, 8, setting.execution), setting.chain, setting.execution);
+  fuse_jets(setting.fitted, KernelSum(setting.places, 8, setting.execution), setting.chain, setting.execution);
   EXPECT_NEAR(setting.mean_error(), 0.01, 1e-12);
 }
 
@@ -61,6 +61,6 @@ TEST(VertexStep, VerticesWithoutAFitKeepTheirValue)
 {
   Setting setting(0.01, 1e-5);
   setting.fitted.noise[7] = INFINITY;
-  add_vertex_step(setting.fitted, GridPool(setting.places, 8, setting.execution), setting.chain, setting.execution);
+  fuse_jets(setting.fitted, KernelSum(setting.places, 8, setting.execution), setting.chain, setting.execution);
   EXPECT_EQ(setting.chain.value[7][0], Setting::truth + 0.01);
 }

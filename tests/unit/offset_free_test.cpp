@@ -60,7 +60,7 @@ BallMoments cylinder_moments(const Vec3& n, const Vec3& axis, double r)
 double error_at(double r)
 {
   const OffsetFreeMeasure measure = offset_free_measure(sphere_moments(up, 1, 0, r), r);
-  return std::abs(principal_curvatures(without_own_bias(measure.tensor, r, 0, 0)).kappa_max - 1);
+  return std::abs(principal_curvatures(correct_ball_bias(measure.tensor, r, 0, 0)).kappa_max - 1);
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ TEST(OffsetFree, LargeOffsetOfAHalfSpaceIsCorrectedToThirdOrder)
 {
   const double r = 2, offset = 0.2;
   const OffsetFreeMeasure measure = offset_free_measure(half_space_moments(up, r, offset), r);
-  const CurvatureTensor corrected = without_own_bias(measure.tensor, r, offset, 0);
+  const CurvatureTensor corrected = correct_ball_bias(measure.tensor, r, offset, 0);
   EXPECT_LT(std::abs(principal_curvatures(corrected).kappa_max),
             std::abs(principal_curvatures(measure.tensor).kappa_max) / 4);
 }
@@ -105,7 +105,7 @@ TEST(OffsetFree, VertexNoiseThatMisleadsThePublishedFormulaDoesNotMatter)
   const double published = principal_curvatures(curvature_tensor(moments, r)).kappa_max;
   const OffsetFreeMeasure measure = offset_free_measure(moments, r);
   EXPECT_GT(std::abs(published - 1), 2.5 * height / (r * r));
-  EXPECT_NEAR(principal_curvatures(without_own_bias(measure.tensor, r, measure.offset, 0)).kappa_max, 1, 0.03);
+  EXPECT_NEAR(principal_curvatures(correct_ball_bias(measure.tensor, r, measure.offset, 0)).kappa_max, 1, 0.03);
   EXPECT_NEAR(measure.offset, -height, 0.003);  // κ³r⁴ enters
 }
 
@@ -132,7 +132,7 @@ TEST(OwnBias, OnACylinderBothCurvaturesAreCorrected)
   const Vec3 axis = side;
   const CurvatureTensor measured = offset_free_measure(cylinder_moments(up, axis, r), r).tensor;
   const PrincipalCurvatures before = principal_curvatures(measured);
-  const PrincipalCurvatures after = principal_curvatures(without_own_bias(measured, r, 0, 0));
+  const PrincipalCurvatures after = principal_curvatures(correct_ball_bias(measured, r, 0, 0));
   // −κ³r² (1/16 + 3/128) and −κ³r² (1/16 − 3/128).
   EXPECT_NEAR(before.kappa_max - 1, -r * r * 11 / 128, 0.004);
   EXPECT_NEAR(before.kappa_min, -r * r * 5 / 128, 0.004);

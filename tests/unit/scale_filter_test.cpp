@@ -21,7 +21,7 @@ struct Setting {
   {
     for (int i = 0; i < side; ++i)
       for (int j = 0; j < side; ++j) places.push_back({double(i), double(j), 0});
-    balls.origin.assign(places.size() * radii.size(), Origin::own);
+    balls.source.assign(places.size() * radii.size(), Source::ball);
     balls.largest.assign(places.size(), int(radii.size()) - 1);
     least_radius.assign(places.size(), 0);
     for (std::size_t i = 0; i + 1 < radii.size(); ++i)
@@ -31,7 +31,7 @@ struct Setting {
   /// Truth plus slope · r² plus noise whose differences between scales are independent.
   Signal signal(double truth, double slope, double noise_density)
   {
-    Signal s(1, Evidence::joint, places.size() * radii.size());
+    Signal s(1, GainSharing::joint, places.size() * radii.size());
     std::mt19937 generator(5);
     std::normal_distribution<double> gauss;
     for (std::size_t v = 0; v < places.size(); ++v) {
@@ -47,24 +47,24 @@ struct Setting {
   }
 
   /// As if the noise had the density given.
-  ChainResult run(Signal& s, double noise_density, bool predict = true)
+  FilteredSignal run(Signal& s, double noise_density, bool predict = true)
   {
     for (std::size_t place = 0; place < places.size() * radii.size(); ++place)
       s.noise[place] = float(disc_variance::mean_curvature * noise_density / std::pow(radii[place % radii.size()], 6));
-    const ScaleEvidence evidence{radii, balls, least_radius, pools, predict};
-    return ScaleChain(evidence, execution).run(s);
+    const FilterContext evidence{radii, balls, least_radius, pools, predict};
+    return ScaleFilter(evidence, execution).run(s);
   }
-  ChainResult run(Signal&& s, double noise_density) { return run(s, noise_density); }
+  FilteredSignal run(Signal&& s, double noise_density) { return run(s, noise_density); }
 
   Execution execution{1};
   std::vector<Vec3> places;
-  WholeBalls balls;
+  ValidScales balls;
   std::vector<double> least_radius;
-  std::vector<GridPool> pools;
+  std::vector<KernelSum> pools;
 };
 
 /// Over the places that have all of their neighbourhood.
-double rms_error(const Setting& setting, const ChainResult& result, double truth)
+double rms_error(const Setting& setting, const FilteredSignal& result, double truth)
 {
   double squares = 0, count = 0, extent = setting.places.back().x;
   for (std::size_t v = 0; v < setting.places.size(); ++v) {
@@ -78,14 +78,14 @@ double rms_error(const Setting& setting, const ChainResult& result, double truth
 
 }  // namespace
 
-TEST(ScaleChain, ConstantSignalIsReproduced)
+TEST(ScaleFilter, ConstantSignalIsReproduced)
 {
   Setting setting(30);
-  const ChainResult result = setting.run(setting.signal(0.7, 0, 0), 1e-4);
+  const FilteredSignal result = setting.run(setting.signal(0.7, 0, 0), 1e-4);
   EXPECT_NEAR(rms_error(setting, result, 0.7), 0, 1e-6);
 }
 
-TEST(ScaleChain, BiasThatGrowsWithTheSquareOfTheRadiusIsRemoved)
+TEST(ScaleFilter, BiasThatGrowsWithTheSquareOfTheRadiusIsRemoved)
 {
   Setting setting(30);
   Signal biased = setting.signal(0.7, 1e-3, 0);
@@ -93,27 +93,27 @@ TEST(ScaleChain, BiasThatGrowsWithTheSquareOfTheRadiusIsRemoved)
   EXPECT_GT(rms_error(setting, setting.run(biased, 1e-8, false), 0.7), 1e-3);
 }
 
-TEST(ScaleChain, PureNoiseIsAveragedByTheLargestBall)
+TEST(ScaleFilter, PureNoiseIsAveragedByTheLargestBall)
 {
   Setting setting(100);
   const double density = 0.01;
-  const ChainResult result = setting.run(setting.signal(0.7, 0, density), density);
+  const FilteredSignal result = setting.run(setting.signal(0.7, 0, density), density);
   const double largest_ball = std::sqrt(disc_variance::mean_curvature * density / std::pow(radii.back(), 6));
   EXPECT_LT(rms_error(setting, result, 0.7), 2 * largest_ball);
 }
 
-TEST(ScaleChain, BiasUnderNoiseIsRemovedBetterThanByAnyOneScale)
+TEST(ScaleFilter, BiasUnderNoiseIsRemovedBetterThanByAnyOneScale)
 {
   Setting setting(100);
   const double density = 0.01, slope = 2e-4;
-  const ChainResult result = setting.run(setting.signal(0.7, slope, density), density);
+  const FilteredSignal result = setting.run(setting.signal(0.7, slope, density), density);
   for (const double r : radii) {
     const double variance = disc_variance::mean_curvature * density / std::pow(r, 6);
     EXPECT_LT(rms_error(setting, result, 0.7), std::sqrt(variance + slope * slope * r * r * r * r));
   }
 }
 
-TEST(ScaleChain, TheLargestScaleAllowedIsTheLastThatCounts)
+TEST(ScaleFilter, TheLargestScaleAllowedIsTheLastThatCounts)
 {
   Setting setting(20);
   Signal s = setting.signal(0.7, 0, 0);
@@ -124,7 +124,7 @@ TEST(ScaleChain, TheLargestScaleAllowedIsTheLastThatCounts)
   EXPECT_NEAR(rms_error(setting, setting.run(s, 1e-4), 0.7), 0, 1e-6);
 }
 
-TEST(ScaleChain, AComponentOfNoiseAloneIsNotMovedByTheShapeOfTheOther)
+TEST(ScaleFilter, AComponentOfNoiseAloneIsNotMovedByTheShapeOfTheOther)
 {
   Setting setting(100);
   const double density = 0.01;
@@ -133,10 +133,10 @@ TEST(ScaleChain, AComponentOfNoiseAloneIsNotMovedByTheShapeOfTheOther)
   for (std::size_t v = 0; v < setting.places.size(); ++v)
     for (std::size_t i = 0; i < radii.size(); ++i)
       s.values[v * radii.size() + i][1] = float(0.7 + 0.01 * radii[i] * std::sin(setting.places[v].x));
-  s.evidence = Evidence::each;
-  const ChainResult each = setting.run(s, density);
-  s.evidence = Evidence::joint;
-  const ChainResult joint = setting.run(s, density);
+  s.evidence = GainSharing::each;
+  const FilteredSignal each = setting.run(s, density);
+  s.evidence = GainSharing::joint;
+  const FilteredSignal joint = setting.run(s, density);
   const double largest_ball = std::sqrt(disc_variance::mean_curvature * density / std::pow(radii.back(), 6));
   EXPECT_LT(rms_error(setting, each, 0.3), 2 * largest_ball);
   EXPECT_GT(rms_error(setting, joint, 0.3), 10 * largest_ball);
@@ -144,16 +144,16 @@ TEST(ScaleChain, AComponentOfNoiseAloneIsNotMovedByTheShapeOfTheOther)
   EXPECT_EQ(joint.variance[5050][0], joint.variance[5050][1]);
 }
 
-TEST(GridPool, SumsToTheTotalAndIsLocal)
+TEST(KernelSum, SumsToTheTotalAndIsLocal)
 {
   std::vector<Vec3> places;
   for (int i = 0; i < 100; ++i) places.push_back({i * 0.37, std::sin(i * 1.0), 0});
   std::vector<std::array<double, 1>> ones(places.size(), {1.0}), single(places.size(), {0.0});
   single[0] = {1};
   Execution execution(1);
-  const GridPool pool(places, 2, execution);
-  pool.sum_around(single, execution);
-  pool.sum_around(ones, execution);
+  const KernelSum pool(places, 2, execution);
+  pool.splat_and_slice(single, execution);
+  pool.splat_and_slice(ones, execution);
   double total = 0;
   for (const auto& row : single) total += row[0];
   EXPECT_NEAR(total, ones[0][0], 1e-6);  // the kernel is symmetric
@@ -161,7 +161,7 @@ TEST(GridPool, SumsToTheTotalAndIsLocal)
   EXPECT_GT(single[1][0], 0);
 }
 
-TEST(GridPool, SumsAreTheSameBitsWithAnyNumberOfThreads)
+TEST(KernelSum, SumsAreTheSameBitsWithAnyNumberOfThreads)
 {
   std::vector<Vec3> places;
   std::vector<std::array<double, 2>> values;
@@ -171,7 +171,7 @@ TEST(GridPool, SumsAreTheSameBitsWithAnyNumberOfThreads)
   }
   Execution alone(1), several(3);
   auto by_one = values, by_three = values;
-  GridPool(places, 8, alone).sum_around(by_one, alone);
-  GridPool(places, 8, several).sum_around(by_three, several);
+  KernelSum(places, 8, alone).splat_and_slice(by_one, alone);
+  KernelSum(places, 8, several).splat_and_slice(by_three, several);
   EXPECT_EQ(by_one, by_three);
 }

@@ -33,7 +33,7 @@ TEST(Symmetric3, DecompositionReproducesTheMatrix)
   std::mt19937 generator(7);
   for (int i = 0; i < 100; ++i) {
     const Frame f = random_frame(generator);
-    const Eigen3 e = eigen_decomposition(with_eigenvalues(f.u, f.v, 3, -1, 2));
+    const EigenDecomposition3 e = eigen_decomposition(with_eigenvalues(f.u, f.v, 3, -1, 2));
     EXPECT_NEAR(e.values[0], -1, 1e-13);
     EXPECT_NEAR(e.values[1], 2, 1e-13);
     EXPECT_NEAR(e.values[2], 3, 1e-13);

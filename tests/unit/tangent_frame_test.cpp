@@ -45,7 +45,7 @@ TEST(TangentFrame, CovarianceTurnsAsTheComponentsDo)
   const auto outer_of = [](const TensorComponents& c) { return outer({c.mean, c.deviator[0], c.deviator[1]}); };
   const CurvatureTensor error = tensor_of({0.3, {0.5, -0.2}, {}}, frame);
   const Symmetric3 expected = outer_of(components_of(error, turned_frame)),
-                   turned = turned_covariance(outer_of(components_of(error, frame)), 2 * x, 2 * y);
+                   turned = rotate_covariance(outer_of(components_of(error, frame)), 2 * x, 2 * y);
   const Symmetric3 difference = turned - expected;
   for (const double d : {difference.xx, difference.xy, difference.xz, difference.yy, difference.yz, difference.zz})
     EXPECT_NEAR(d, 0, 1e-12);

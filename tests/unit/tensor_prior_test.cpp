@@ -21,17 +21,17 @@ Symmetric3 covariance_of(double along, double across, double mixed)
 
 TEST(Shrinkage, ExactValuesStay)
 {
-  const ShrunkCurvature s = shrunk_to_plane({0.3, -0.2, 0.1}, Symmetric3::identity(1e-20));
+  const PosteriorCurvature s = posterior_curvature({0.3, -0.2, 0.1}, Symmetric3::identity(1e-20));
   EXPECT_NEAR(s.value.x, 0.3, 1e-12);
   EXPECT_NEAR(s.value.y, -0.2, 1e-12);
   EXPECT_NEAR(s.value.z, 0.1, 1e-12);
   EXPECT_LT(s.variance.x, 1e-19);
-  EXPECT_EQ(norm(shrunk_to_plane({}, Symmetric3::identity(0)).value), 0);
+  EXPECT_EQ(norm(posterior_curvature({}, Symmetric3::identity(0)).value), 0);
 }
 
 TEST(Shrinkage, WhatNoiseAloneWouldShowIsAPlane)
 {
-  const ShrunkCurvature s = shrunk_to_plane({0.1, -0.1, 0.05}, Symmetric3::identity(0.02));
+  const PosteriorCurvature s = posterior_curvature({0.1, -0.1, 0.05}, Symmetric3::identity(0.02));
   EXPECT_EQ(norm(s.value), 0);
   EXPECT_GT(s.variance.x, 0) << "curvature may hide in the noise";
   EXPECT_LT(s.variance.x, 0.02);
@@ -40,8 +40,8 @@ TEST(Shrinkage, WhatNoiseAloneWouldShowIsAPlane)
 TEST(Shrinkage, TheBadlyKnownDirectionFollowsTheWellKnownOne)
 {
   const double along = 0.023, across = 0.039;
-  const ShrunkCurvature s =
-      shrunk_to_plane({(along + across) / 2, (along - across) / 2, 0}, covariance_of(1e-8, 1.2e-3, 1e-4));
+  const PosteriorCurvature s =
+      posterior_curvature({(along + across) / 2, (along - across) / 2, 0}, covariance_of(1e-8, 1.2e-3, 1e-4));
   EXPECT_NEAR(s.value.x + s.value.y, along, 1e-4);
   EXPECT_LT(std::abs(s.value.x - s.value.y), across / 4);
 }
@@ -59,7 +59,7 @@ TEST(Shrinkage, ErrorsAreSmallerAndAsExpected)
       const Vec3 truth{(uu + vv) / 2, (uu - vv) / 2, uv};
       const double a = std::sqrt(along) * gauss(generator), c = std::sqrt(across) * gauss(generator);
       const Vec3 noise{(a + c) / 2, (a - c) / 2, std::sqrt(mixed) * gauss(generator)};
-      const ShrunkCurvature s = shrunk_to_plane(truth + noise, covariance_of(along, across, mixed));
+      const PosteriorCurvature s = posterior_curvature(truth + noise, covariance_of(along, across, mixed));
       before += squared_norm(noise);
       after += squared_norm(s.value - truth);
       expected += s.variance.x + s.variance.y + s.variance.z;

@@ -9,18 +9,18 @@
 #include <string>
 #include <utility>
 
-#include "integral_invariant/mesh/canonical_mesh.h"
 #include "integral_invariant/ball_curvature/ball_bias.h"
 #include "integral_invariant/ball_curvature/offset_free.h"
 #include "integral_invariant/ball_curvature/tensor_field.h"
-#include "integral_invariant/jets/jet_fit.h"
-#include "integral_invariant/moments/engine.h"
-#include "integral_invariant/multiscale/correlated_noise.h"
-#include "integral_invariant/published/radius_iteration.h"
-#include "integral_invariant/moments/scales.h"
-#include "integral_invariant/published/radius_smoothing.h"
-#include "integral_invariant/multiscale/estimator.h"
 #include "integral_invariant/error.h"
+#include "integral_invariant/jets/jet_fit.h"
+#include "integral_invariant/mesh/canonical_mesh.h"
+#include "integral_invariant/moments/engine.h"
+#include "integral_invariant/moments/scales.h"
+#include "integral_invariant/multiscale/correlated_noise.h"
+#include "integral_invariant/multiscale/estimator.h"
+#include "integral_invariant/published/radius_iteration.h"
+#include "integral_invariant/published/radius_smoothing.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
@@ -70,7 +70,7 @@ void remove_bias(OffsetFreeField& field, Execution& execution)
     for (std::size_t i = 0; i < radii.size(); ++i)
       field.tensors.set(
           v, int(i),
-          without_own_bias(field.tensors.at_scale(v, int(i)), radii[i], field.offsets[v * radii.size() + i], 0));
+          correct_ball_bias(field.tensors.at_scale(v, int(i)), radii[i], field.offsets[v * radii.size() + i], 0));
   });
   extrapolate_to_zero_radius(field.tensors, execution);
 }
@@ -114,8 +114,8 @@ void write_vertex(const CurvatureTensor& tensor, double radius, double unit, std
   result.confidence[v] = float(tensor.confidence);
 }
 
-/// Steps 2 to 5: a radius for every vertex, and curvatures and directions there. `caller`: see CanonicalMesh.
-void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint32_t>& caller,
+/// Steps 2 to 5: a radius for every vertex, and curvatures and directions there. `original_index`: see CanonicalMesh.
+void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint32_t>& original_index,
                              const TensorField& tensors, const Parameters& p, Result& result, Execution& execution)
 {
   std::vector<double> radii(surface.vertex_count(), tensors.radii().front());
@@ -126,31 +126,32 @@ void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint
   execution.begin_stage("principal curvatures", 100);
   parallel_for(radii.size(), 2048, execution, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v)
-      write_vertex(tensors.at_radius(v, radii[v]), radii[v], surface.unit(), caller[v], result);
+      write_vertex(tensors.at_radius(v, radii[v]), radii[v], surface.unit(), original_index[v], result);
   });
 }
 
 /// Steps 2 to 5 by statistics: all scales of every vertex, weighted by their evidence.
-void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32_t>& caller, OffsetFreeField field,
-                           const Parameters& p, Result& result, Execution& execution)
+void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32_t>& original_index,
+                           OffsetFreeField field, const Parameters& p, Result& result, Execution& execution)
 {
   execution.begin_stage("noise", 83);
-  const std::vector<VertexFit> fits = fit_vertices(surface, field.tensors, execution);
-  Noise noise = estimate_noise(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
+  const std::vector<Jet> fits = fit_jets(surface, field.tensors, execution);
+  NoiseLevel noise =
+      estimate_noise_level(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
   if (!(p.noise > 0))
     add_correlated_noise(find_correlated_noise(surface, field.tensors, noise, execution), noise, execution);
   result.noise_correlation = noise.transfer.correlation() * surface.unit();
 
   execution.begin_stage("weighing the scales", 99);
-  const StatisticalCurvature best =
-      combine_scales(surface, field.tensors, field.offsets, fits, noise, p.estimator, execution);
+  const MultiscaleCurvature best =
+      estimate_multiscale(surface, field.tensors, field.offsets, fits, noise, p.estimator, execution);
 
   execution.begin_stage("principal curvatures", 100);
   result.converged = surface.vertex_count();
   result.noise = noise.mean_sigma * surface.unit();
   for_each_index(best.tensor.size(), execution, [&](std::size_t v) {
-    write_vertex(best.tensor[v], best.radius[v], surface.unit(), caller[v], result);
-    result.standard_error[caller[v]] = best.standard_error[v] / surface.unit();
+    write_vertex(best.tensor[v], best.radius[v], surface.unit(), original_index[v], result);
+    result.standard_error[original_index[v]] = best.standard_error[v] / surface.unit();
   });
 }
 
@@ -187,7 +188,7 @@ void describe_run(const Surface& surface, const std::vector<double>& scales, con
 void require_memory_for_arrays(std::size_t vertices, std::size_t scales, std::size_t limit_mb)
 {
   constexpr std::size_t result_bytes = 4 * sizeof(double) + 3 * sizeof(Vec3) + sizeof(float);
-  constexpr std::size_t radius_bytes = 3 * sizeof(double) + sizeof(VertexFit) + sizeof(std::uint32_t);
+  constexpr std::size_t radius_bytes = 3 * sizeof(double) + sizeof(Jet) + sizeof(std::uint32_t);
   const double bytes = double(vertices) * double(TensorField::bytes_per_vertex(scales) + result_bytes + radius_bytes);
   require_memory(bytes, limit_mb,
                  "Curvature at " + std::to_string(scales) + " scales of " + std::to_string(vertices) + " vertices",
@@ -203,11 +204,11 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   Result result;
 
   execution.begin_stage("checking the surface", 4);
-  CanonicalMesh canonical = in_canonical_order(mesh, execution);
+  CanonicalMesh canonical = make_canonical_mesh(mesh, execution);
   execution.report(0.5);
   const Surface surface(canonical.mesh, execution);
   canonical.mesh = {};  // the surface has its own
-  const std::vector<std::uint32_t>& caller = canonical.caller;
+  const std::vector<std::uint32_t>& original_index = canonical.original_index;
   const std::vector<double> scales = scale_radii(parameters, surface.unit());
   require_sensible_noise(parameters.noise, surface.unit());
   require_memory_for_arrays(mesh.positions.size(), scales.size(), parameters.memory_limit_mb);
@@ -220,16 +221,16 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
     const TensorField tensors = tensors_at_all_scales(surface, *engine, scales, execution);
     engine.reset();  // before the arrays of the result: both would be the peak of memory
     resize_result(mesh.positions.size(), result, execution);
-    curvature_at_one_radius(surface, caller, tensors, parameters, result, execution);
+    curvature_at_one_radius(surface, original_index, tensors, parameters, result, execution);
   } else {
     OffsetFreeField field = offset_free_at_all_scales(surface, *engine, scales, execution);
     engine.reset();
     resize_result(mesh.positions.size(), result, execution);
     if (parameters.radius_choice == RadiusChoice::statistical) {
-      curvature_by_evidence(surface, caller, std::move(field), parameters, result, execution);
+      curvature_by_evidence(surface, original_index, std::move(field), parameters, result, execution);
     } else {
       if (parameters.estimator == Estimator::bias_free) remove_bias(field, execution);
-      curvature_at_one_radius(surface, caller, field.tensors, parameters, result, execution);
+      curvature_at_one_radius(surface, original_index, field.tensors, parameters, result, execution);
     }
   }
   give_to_copies(canonical, result);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "integral_invariant/parameters.h"
-#include "integral_invariant/result.h"
 #include "integral_invariant/error.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/parameters.h"
+#include "integral_invariant/result.h"
 
 namespace integral_invariant {
 

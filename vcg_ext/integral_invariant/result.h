@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "integral_invariant/mesh/surface.h"
 #include "integral_invariant/support/execution.h"
 #include "integral_invariant/vec3.h"
-#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 

@@ -53,7 +53,7 @@ ConstantRadius best_constant_radius(const TruthMesh& truth)
             const std::size_t s = std::size_t(scale);
             const OffsetFreeMeasure measure = offset_free_measure(moments, r[s]);
             all[0][s][place[v]] = estimate(measure.tensor, surface.unit());
-            all[1][s][place[v]] = estimate(without_own_bias(measure.tensor, r[s], measure.offset, 0), surface.unit());
+            all[1][s][place[v]] = estimate(correct_ball_bias(measure.tensor, r[s], measure.offset, 0), surface.unit());
           },
           execution);
 

@@ -48,7 +48,7 @@ CubicBias cubic_bias(double mean, double half, double r)
 
 }  // namespace
 
-CurvatureTensor without_own_bias(const CurvatureTensor& measured, double r, double offset, double noise_variance)
+CurvatureTensor correct_ball_bias(const CurvatureTensor& measured, double r, double offset, double noise_variance)
 {
   const Split s = split(measured);
   constexpr double largest_ratio = 0.1, largest_kd = 0.3;
@@ -69,7 +69,7 @@ CurvatureTensor without_own_bias(const CurvatureTensor& measured, double r, doub
   return {s.projector * parallel_mean + s.deviator * factor, measured.normal, measured.confidence};
 }
 
-CurvatureTensor without_graph_bias(const CurvatureTensor& measured, double r)
+CurvatureTensor correct_jet_bias(const CurvatureTensor& measured, double r)
 {
   const Split s = split(measured);
   const double largest = std::max(std::abs(s.mean) + s.half_difference, 1e-30);

@@ -14,11 +14,11 @@ namespace integral_invariant {
 /// - of the parallel surface: the ball sees the surface at the distance of its centre, K (1 + K δ)⁻¹ from K;
 /// - of second and third order in δ/r and in the noise σ of the surface around.
 /// \param noise_variance σ², L²
-CurvatureTensor without_own_bias(const CurvatureTensor& measured, double radius, double offset, double noise_variance);
+CurvatureTensor correct_ball_bias(const CurvatureTensor& measured, double radius, double offset, double noise_variance);
 
-/// The same for a fit of heights over a disc of radius r (VertexFitter::discs), which has the third order alone: the
+/// The same for a fit of heights over a disc of radius r (JetFitter::discs), which has the third order alone: the
 /// height's −(k k₂/8)ρ⁴ reads as (r²/4) k k₂ in the mean curvature and as 3/4 of its share in the deviator.
-CurvatureTensor without_graph_bias(const CurvatureTensor& measured, double radius);
+CurvatureTensor correct_jet_bias(const CurvatureTensor& measured, double radius);
 
 /// Replaces the tensor of each scale by K₀ of the fit K(r) = K₀ + c r² to all scales up to it, weighted by the
 /// variances of disc_variance: the term of fourth order in the surface's height, which no single ball can tell from

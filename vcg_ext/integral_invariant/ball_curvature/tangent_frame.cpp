@@ -7,7 +7,7 @@
 
 namespace integral_invariant {
 
-Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
+Vec3 rotate_to(const Vec3& a, const Vec3& from, const Vec3& to)
 {
   const double cosine = dot(from, to);
   if (cosine < -0.99) return a;
@@ -17,7 +17,7 @@ Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to)
 
 TensorComponents components_of(const CurvatureTensor& t, const TangentFrame& f)
 {
-  const Vec3 a = turned(f.u, f.normal, t.normal), b = turned(f.v, f.normal, t.normal), kb = t.k * b;
+  const Vec3 a = rotate_to(f.u, f.normal, t.normal), b = rotate_to(f.v, f.normal, t.normal), kb = t.k * b;
   const double aa = quadratic_form(t.k, a), bb = dot(b, kb);
   return {(aa + bb) / 2, {(aa - bb) / 2, dot(a, kb)}, {dot(t.normal, f.u), dot(t.normal, f.v)}};
 }
@@ -26,13 +26,13 @@ CurvatureTensor tensor_of(const TensorComponents& c, const TangentFrame& f)
 {
   const double in_plane = std::min(0.99, c.tilt[0] * c.tilt[0] + c.tilt[1] * c.tilt[1]);
   const Vec3 normal = normalized(f.u * c.tilt[0] + f.v * c.tilt[1] + f.normal * std::sqrt(1 - in_plane), f.normal);
-  const Vec3 u = turned(f.u, f.normal, normal), v = turned(f.v, f.normal, normal);
+  const Vec3 u = rotate_to(f.u, f.normal, normal), v = rotate_to(f.v, f.normal, normal);
   const Symmetric3 k =
       outer(u) * (c.mean + c.deviator[0]) + outer(v) * (c.mean - c.deviator[0]) + symmetric_outer(u, v) * c.deviator[1];
   return {k, normal, 1};
 }
 
-Symmetric3 turned_covariance(const Symmetric3& s, double x, double y)
+Symmetric3 rotate_covariance(const Symmetric3& s, double x, double y)
 {
   // The deviator turns twice as fast: (a c + b d, b c − a d).
   const double square = x * x + y * y;

@@ -9,7 +9,7 @@
 namespace integral_invariant {
 
 /// `a` turned as the shortest rotation turns the unit vector `from` to `to`; `a` itself where they are opposite.
-Vec3 turned(const Vec3& a, const Vec3& from, const Vec3& to);
+Vec3 rotate_to(const Vec3& a, const Vec3& from, const Vec3& to);
 
 /// Orthonormal, right-handed.
 struct TangentFrame {
@@ -29,6 +29,6 @@ CurvatureTensor tensor_of(const TensorComponents& components, const TangentFrame
 
 /// Covariance of (H, (K_uu − K_vv)/2, K_uv) in the frame whose u is along (x, y) in the frame in which it is
 /// `covariance`.
-Symmetric3 turned_covariance(const Symmetric3& covariance, double x, double y);
+Symmetric3 rotate_covariance(const Symmetric3& covariance, double x, double y);
 
 }  // namespace integral_invariant

@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "integral_invariant/error.h"
 #include "integral_invariant/features/crest_linking.h"
 #include "integral_invariant/features/surface_walk.h"
 #include "integral_invariant/features/topology.h"
 #include "integral_invariant/parameters.h"
-#include "integral_invariant/error.h"
 
 namespace integral_invariant {
 

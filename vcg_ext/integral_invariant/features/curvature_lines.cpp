@@ -8,10 +8,10 @@
 #include <numeric>
 #include <string>
 
+#include "integral_invariant/error.h"
 #include "integral_invariant/features/line_tracer.h"
 #include "integral_invariant/features/point_grid.h"
 #include "integral_invariant/parameters.h"
-#include "integral_invariant/error.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {

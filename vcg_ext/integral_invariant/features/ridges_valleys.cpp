@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "integral_invariant/features/topology.h"
 #include "integral_invariant/error.h"
+#include "integral_invariant/features/topology.h"
 
 namespace integral_invariant {
 

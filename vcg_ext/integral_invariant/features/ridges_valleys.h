@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/result.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/result.h"
 
 namespace integral_invariant {
 

@@ -8,11 +8,11 @@
 #include <limits>
 #include <string>
 
-#include "integral_invariant/mesh/canonical_mesh.h"
 #include "integral_invariant/ball_curvature/curvature_tensor.h"
+#include "integral_invariant/error.h"
+#include "integral_invariant/mesh/canonical_mesh.h"
 #include "integral_invariant/moments/engine.h"
 #include "integral_invariant/moments/scales.h"
-#include "integral_invariant/error.h"
 #include "integral_invariant/support/memory.h"
 #include "integral_invariant/support/pi.h"
 
@@ -55,7 +55,7 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   validate(ladder);
   Execution execution(parameters.threads, progress);
   execution.begin_stage("checking the surface", 4);
-  CanonicalMesh canonical = in_canonical_order(mesh, execution);
+  CanonicalMesh canonical = make_canonical_mesh(mesh, execution);
   execution.report(0.5);
   const Surface surface(canonical.mesh, execution);
   canonical.mesh = {};  // the surface has its own
@@ -69,7 +69,7 @@ Signature compute_signature(const TriangleMesh& mesh, const Parameters& paramete
   engine->evaluate(
       radii,
       [&](std::size_t vertex, int scale, const BallMoments& moments) {
-        const std::size_t v = canonical.caller[vertex];
+        const std::size_t v = canonical.original_index[vertex];
         const PrincipalCurvatures k = principal_curvatures(curvature_tensor(moments, radii[scale]));
         signature.values[0][scale][v] = storable(volume_invariant(moments.volume, radii[scale]));
         signature.values[1][scale][v] = storable((k.kappa_max + k.kappa_min) / (2 * unit));

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "integral_invariant/mesh/surface.h"
 #include "integral_invariant/parameters.h"
 #include "integral_invariant/support/execution.h"
-#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 

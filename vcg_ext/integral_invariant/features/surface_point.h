@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/vec3.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/vec3.h"
 
 namespace integral_invariant {
 

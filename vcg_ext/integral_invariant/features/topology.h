@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/support/buckets.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/support/buckets.h"
 
 namespace integral_invariant {
 

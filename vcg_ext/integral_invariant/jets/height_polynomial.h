@@ -2,8 +2,8 @@
 // Stage 2: least squares fit of a height over a tangent plane by a polynomial, and the curvature of the graph.
 #pragma once
 
-#include "integral_invariant/jets/least_squares_kernels.h"
 #include "integral_invariant/ball_curvature/curvature_tensor.h"
+#include "integral_invariant/jets/least_squares_kernels.h"
 
 namespace integral_invariant {
 

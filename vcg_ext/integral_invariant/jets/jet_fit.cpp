@@ -19,7 +19,7 @@ constexpr int disc_degree = 2, least_degree = 2;
 
 /// Variances of what a fit says, from those of its parts, which `variance_of` gives.
 template <class VarianceOf>
-void set_variances(const VarianceOf& variance_of, double unit, VertexFit& fit)
+void set_variances(const VarianceOf& variance_of, double unit, Jet& fit)
 {
   const double unit2 = unit * unit, unit4 = unit2 * unit2;
   fit.mean_variance = variance_of(mean_part) / unit4;
@@ -29,25 +29,25 @@ void set_variances(const VarianceOf& variance_of, double unit, VertexFit& fit)
 
 }  // namespace
 
-double standard_error(const VertexFit& fit)
+double standard_error(const Jet& fit)
 {
-  if (!(fit.residual >= 0)) return INFINITY;
-  return std::sqrt(fit.residual * (fit.mean_variance + fit.deviator_variance));
+  if (!(fit.residual_variance >= 0)) return INFINITY;
+  return std::sqrt(fit.residual_variance * (fit.mean_variance + fit.deviator_variance));
 }
 
-VertexFitter::VertexFitter(const Surface& surface, const std::vector<char>& barrier)
+JetFitter::JetFitter(const Surface& surface, const std::vector<char>& barrier)
     : surface_(surface), barrier_(barrier.empty() ? nullptr : &barrier), seen_(surface.vertex_count(), 0)
 {
 }
 
-VertexFitter::Place VertexFitter::place_of(std::uint32_t u, const Vec3& centre, const HeightFrame& frame) const
+JetFitter::Place JetFitter::place_of(std::uint32_t u, const Vec3& centre, const HeightFrame& frame) const
 {
   const Vec3 d = surface_.positions()[u] - centre;
   const double x = dot(d, frame.x), y = dot(d, frame.y);
   return {x * x + y * y, x, y, dot(d, frame.normal), u};
 }
 
-void VertexFitter::start_at(std::size_t v)
+void JetFitter::start_at(std::size_t v)
 {
   ++stamp_;
   seen_[v] = stamp_;
@@ -58,7 +58,7 @@ void VertexFitter::start_at(std::size_t v)
 /// The vertex, its neighbours and their neighbours: on a surface with creases more is not better. Further rings where
 /// these are few, as at a boundary: half a disc of three rows does not tell a cubic. Not by way of the hubs of large
 /// fans, whose neighbours are mostly far away: their number squared would be the work.
-void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame, std::size_t least_count)
+void JetFitter::walk_rings(std::size_t v, const HeightFrame& frame, std::size_t least_count)
 {
   constexpr int rings = 2, most_rings = 4;
   constexpr std::uint32_t most_spokes = 512;
@@ -83,34 +83,34 @@ void VertexFitter::walk_rings(std::size_t v, const HeightFrame& frame, std::size
   }
 }
 
-VertexFit VertexFitter::nearest(std::size_t v, const Vec3& normal)
+Jet JetFitter::nearest(std::size_t v, const Vec3& normal)
 {
-  constexpr NearestFit usual{4, 20, 14, 4};
-  return fit_nearest(v, normal, usual);
+  constexpr JetKind usual{4, 20, 14, 4};
+  return fit_k_nearest(v, normal, usual);
 }
 
-VertexFit VertexFitter::finest(std::size_t v, const VertexFit& usual)
+Jet JetFitter::finest(std::size_t v, const Jet& usual)
 {
-  constexpr NearestFit near{4, 18, 18, 6}, far{6, 36, 36, 6};
+  constexpr JetKind near{4, 18, 18, 6}, far{6, 36, 36, 6};
   static_assert(far.count <= HeightPlaces::capacity && far.degree <= largest_degree);
   constexpr double usual_handicap = 2, least_error = 1e-9;  // polynomials that are exact have rounding left
   constexpr double small_share = 0.001, large_share = 0.01;
   if (standard_error(usual) <= least_error) return usual;
-  const auto has_error_under = [](const VertexFit& fit, double share) {
+  const auto has_error_under = [](const Jet& fit, double share) {
     return standard_error(fit) <= share * largest_absolute_curvature(fit.tensor);
   };
-  VertexFit best = fit_nearest(v, usual.tensor.normal, far);
+  Jet best = fit_k_nearest(v, usual.tensor.normal, far);
   if (!has_error_under(best, small_share)) {
-    const VertexFit of_few = fit_nearest(v, usual.tensor.normal, near);
+    const Jet of_few = fit_k_nearest(v, usual.tensor.normal, near);
     if (standard_error(of_few) < standard_error(best)) best = of_few;
   }
   if (!(standard_error(best) < usual_handicap * standard_error(usual))) best = usual;
   return has_error_under(best, large_share) ? best : fit_one_side(v, best);
 }
 
-VertexFit VertexFitter::fit_one_side(std::size_t v, const VertexFit& of_all_sides)
+Jet JetFitter::fit_one_side(std::size_t v, const Jet& of_all_sides)
 {
-  constexpr NearestFit half{4, 20, 44, 3};
+  constexpr JetKind half{4, 20, 44, 3};
   constexpr int sides = 8;
   constexpr double slack = 0.05;
   constexpr double largest_share = 0.3;  // of the error: out of eight one is small by chance
@@ -118,7 +118,7 @@ VertexFit VertexFitter::fit_one_side(std::size_t v, const VertexFit& of_all_side
   const HeightFrame frame(of_all_sides.tensor.normal);
   walk_rings(v, frame, half.least_count);
   const std::vector<Place> around = places_;
-  std::array<VertexFit, sides> fits;
+  std::array<Jet, sides> fits;
   for (int side = 0; side < sides; ++side) {
     const double angle = 2 * pi * side / sides, x = std::cos(angle), y = std::sin(angle);
     places_.clear();
@@ -126,22 +126,21 @@ VertexFit VertexFitter::fit_one_side(std::size_t v, const VertexFit& of_all_side
                  [&](const Place& p) { return p.x * x + p.y * y > -slack; });
     fits[std::size_t(side)] = fit_places(frame, half);
   }
-  const auto best = std::min_element(fits.begin(), fits.end(), [](const VertexFit& a, const VertexFit& b) {
-    return standard_error(a) < standard_error(b);
-  });
-  const VertexFit& opposite = fits[std::size_t(best - fits.begin() + sides / 2) % sides];
+  const auto best = std::min_element(fits.begin(), fits.end(),
+                                     [](const Jet& a, const Jet& b) { return standard_error(a) < standard_error(b); });
+  const Jet& opposite = fits[std::size_t(best - fits.begin() + sides / 2) % sides];
   const bool is_fold = norm(cross(best->tensor.normal, opposite.tensor.normal)) > largest_fold;
   return !is_fold && standard_error(*best) < largest_share * standard_error(of_all_sides) ? *best : of_all_sides;
 }
 
-VertexFit VertexFitter::fit_nearest(std::size_t v, const Vec3& normal, const NearestFit& kind)
+Jet JetFitter::fit_k_nearest(std::size_t v, const Vec3& normal, const JetKind& kind)
 {
   const HeightFrame frame(normal);
   walk_rings(v, frame, kind.least_count);
   return fit_places(frame, kind);
 }
 
-VertexFit VertexFitter::fit_places(const HeightFrame& frame, const NearestFit& kind)
+Jet JetFitter::fit_places(const HeightFrame& frame, const JetKind& kind)
 {
   if (places_.empty()) return {};
   const std::size_t count = std::min(places_.size(), kind.count);
@@ -163,20 +162,21 @@ VertexFit VertexFitter::fit_places(const HeightFrame& frame, const NearestFit& k
   const HeightFit polynomial(sums_of(heights_in_lanes_, degree), degree);
   if (polynomial.degree() < least_degree) return {};
 
-  VertexFit fit;
+  Jet fit;
   fit.tensor = graph_curvature(polynomial.coefficients(), frame, unit);
-  fit.reach = unit;
+  fit.support_radius = unit;
   const FitQuality quality = polynomial.quality(heights_in_lanes_);
   set_variances([&](HeightPart part) { return quality.variance[part]; }, unit, fit);
   constexpr double least_freedom = 0.1;
-  if (quality.freedom > least_freedom) fit.residual = quality.squares / quality.freedom;
-  if (quality.last_freedom > least_freedom) fit.last_terms = quality.last_squares / quality.last_freedom;
+  if (quality.freedom > least_freedom) fit.residual_variance = quality.squares / quality.freedom;
+  if (quality.top_degree_dof > least_freedom)
+    fit.top_degree_variance = quality.top_degree_squares / quality.top_degree_dof;
   return fit;
 }
 
 /// Marks the neighbours in a part of the list as seen, and returns how many were not; without a branch, for who is new
 /// cannot be foreseen.
-std::size_t VertexFitter::find_unseen(std::uint32_t begin, std::uint32_t end, std::uint32_t* unseen)
+std::size_t JetFitter::find_unseen(std::uint32_t begin, std::uint32_t end, std::uint32_t* unseen)
 {
   const std::uint32_t* const neighbours = surface_.neighbours().data();
   std::size_t count = 0;
@@ -189,7 +189,7 @@ std::size_t VertexFitter::find_unseen(std::uint32_t begin, std::uint32_t end, st
   return count;
 }
 
-void VertexFitter::start_disc(std::size_t v, const Vec3& normal)
+void JetFitter::begin_disc(std::size_t v, const Vec3& normal)
 {
   start_at(v);
   queue_.clear();
@@ -200,13 +200,13 @@ void VertexFitter::start_disc(std::size_t v, const Vec3& normal)
   beyond_.assign(1, {0, 0, 0, 0, std::uint32_t(v)});
 }
 
-void VertexFitter::take_into_disc(const Place& place)
+void JetFitter::take_into_disc(const Place& place)
 {
   taken_.add(place.x, place.y, place.height);
   queue_.push_back(place.vertex);
 }
 
-VertexFit VertexFitter::grow_disc(double radius)
+Jet JetFitter::extend_disc(double radius)
 {
   constexpr std::size_t least_count = 10;
   constexpr std::uint32_t few = 16;  // of a hub's spokes at a time
@@ -248,11 +248,11 @@ VertexFit VertexFitter::grow_disc(double radius)
   if (count < double(least_count) || is_full()) return {};
   const HeightFit quadric(sums_, disc_degree);
   if (quadric.degree() < disc_degree) return {};
-  VertexFit fit;
-  fit.reach = radius;
-  fit.lean = std::hypot(sums_.powers[1], sums_.powers[2]) / (count * radius);
+  Jet fit;
+  fit.support_radius = radius;
+  fit.centroid_offset = std::hypot(sums_.powers[1], sums_.powers[2]) / (count * radius);
   fit.tensor = graph_curvature(quadric.coefficients(), frame_, 1);
-  fit.residual = quadric.squares() / (count - coefficient_count(disc_degree));
+  fit.residual_variance = quadric.squares() / (count - coefficient_count(disc_degree));
   set_variances([&](HeightPart part) { return quadric.variance(part); }, 1, fit);
   const auto c = [&](HeightPart a, HeightPart b) { return quadric.covariance(a, b); };
   disc_covariance_ = {c(mean_part, mean_part),
@@ -264,9 +264,9 @@ VertexFit VertexFitter::grow_disc(double radius)
   return fit;
 }
 
-Symmetric3 VertexFitter::disc_covariance(const Vec3& axis) const
+Symmetric3 JetFitter::disc_covariance(const Vec3& axis) const
 {
-  return turned_covariance(disc_covariance_, dot(axis, frame_.x), dot(axis, frame_.y));
+  return rotate_covariance(disc_covariance_, dot(axis, frame_.x), dot(axis, frame_.y));
 }
 
 std::vector<Vec3> patch_normals(const Surface& surface, Execution& execution)
@@ -303,14 +303,14 @@ Vec3 rough_normal(const TensorField& tensors, std::size_t v, const Vec3& patch)
   return dot(t.normal, patch) < least_cosine ? patch : t.normal;
 }
 
-std::vector<VertexFit> fit_vertices(const Surface& surface, const TensorField& tensors, Execution& execution)
+std::vector<Jet> fit_jets(const Surface& surface, const TensorField& tensors, Execution& execution)
 {
-  std::vector<VertexFit> fits;
+  std::vector<Jet> fits;
   resize_in_steps(fits, surface.vertex_count(), execution);
   const std::vector<Vec3> normals = patch_normals(surface, execution);
-  VertexFitters fitters(surface, execution);
+  JetFitters fitters(surface, execution);
   parallel_for(fits.size(), 512, execution, [&](std::size_t begin, std::size_t end, int worker) {
-    VertexFitter& fitter = fitters.of(worker);
+    JetFitter& fitter = fitters.of(worker);
     for (std::size_t v = begin; v < end; ++v)
       if (surface.is_referenced(v)) fits[v] = fitter.nearest(v, rough_normal(tensors, v, normals[v]));
   });

@@ -166,7 +166,7 @@ FitQuality fit_quality(const HeightPlaces& places, int count, int last, const He
                        const WhitenedColumns& whitened)
 {
   constexpr std::size_t most = coefficient_count(largest_degree), parts = height_part_count;
-  Lanes squares{}, freedom{}, last_freedom{}, variance[parts] = {};
+  Lanes squares{}, freedom{}, top_degree_dof{}, variance[parts] = {};
   for (std::size_t group = 0; group < places.groups; ++group) {
     // z = U⁻ᵀ m, column by column, and its products as the columns are done.
     Lanes z[most], fitted{}, leverage{}, below{}, influence[parts] = {};
@@ -182,15 +182,15 @@ FitQuality fit_quality(const HeightPlaces& places, int count, int last, const He
     const Lanes &w = places.weight[group], off = places.height[group] - fitted;
     squares += w * off * off;
     freedom += w - w * w * leverage;
-    last_freedom += w * w * (leverage - below);
+    top_degree_dof += w * w * (leverage - below);
     for (std::size_t k = 0; k < parts; ++k) variance[k] += (w * influence[k]) * (w * influence[k]);
   }
   FitQuality quality;
   quality.squares = sum_of_lanes(squares);
   quality.freedom = sum_of_lanes(freedom);
-  quality.last_freedom = sum_of_lanes(last_freedom);
+  quality.top_degree_dof = sum_of_lanes(top_degree_dof);
   for (int i = last; i < count; ++i)
-    quality.last_squares += whitened.rows[i][heights_column] * whitened.rows[i][heights_column];
+    quality.top_degree_squares += whitened.rows[i][heights_column] * whitened.rows[i][heights_column];
   for (std::size_t k = 0; k < parts; ++k) quality.variance[k] = sum_of_lanes(variance[k]);
   return quality;
 }

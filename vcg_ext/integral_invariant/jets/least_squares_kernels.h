@@ -99,10 +99,10 @@ void whiten(const HeightMatrix& factor, int count, WhitenedColumns& columns);
 
 /// What a fit leaves over, and how it answers to noise.
 struct FitQuality {
-  double squares = 0;       ///< Σ w off²
-  double freedom = 0;       ///< E Σ w off² = σ² · freedom: Σ w − w² mᵀ(AᵀWA)⁻¹m
-  double last_squares = 0;  ///< Σ w h² of the terms of the highest degree alone
-  double last_freedom = 0;  ///< what noise makes of it, over σ²
+  double squares = 0;             ///< Σ w off²
+  double freedom = 0;             ///< E Σ w off² = σ² · freedom: Σ w − w² mᵀ(AᵀWA)⁻¹m
+  double top_degree_squares = 0;  ///< Σ w h² of the terms of the highest degree alone
+  double top_degree_dof = 0;      ///< what noise makes of it, over σ²
   std::array<double, height_part_count> variance{};  ///< of each part, Σ (w mᵀ(AᵀWA)⁻¹ part)²
 };
 

@@ -42,15 +42,15 @@ HilbertCurve curve_through(const std::vector<Vec3>& positions, const std::vector
 void number_vertices(const TriangleMesh& mesh, CanonicalMesh& canonical, Execution& execution)
 {
   const std::vector<char> used = used_vertices(mesh, execution);
-  const std::vector<CurvePlace> places = order_along(
+  const std::vector<CurveCell> places = hilbert_sort(
       curve_through(mesh.positions, used, execution), mesh.positions, [&](std::size_t v) { return used[v] != 0; },
       execution);
-  reserve_large(canonical.caller, mesh.positions.size());
+  reserve_large(canonical.original_index, mesh.positions.size());
   reserve_large(canonical.mesh.positions, mesh.positions.size());
   resize_in_steps(canonical.vertex_of, mesh.positions.size(), execution);
   const auto add = [&](std::uint32_t v) {
-    canonical.vertex_of[v] = std::uint32_t(canonical.caller.size());
-    canonical.caller.push_back(v);
+    canonical.vertex_of[v] = std::uint32_t(canonical.original_index.size());
+    canonical.original_index.push_back(v);
     canonical.mesh.positions.push_back(mesh.positions[v]);
   };
   for_each_in_order(places.size(), execution, [&](std::size_t i) {
@@ -104,10 +104,10 @@ void join_vertices(const std::vector<std::uint32_t>& first, CanonicalMesh& canon
   for_each_in_order(first.size(), execution, [&](std::size_t v) {
     number[v] = first[v] == v ? std::uint32_t(count) : number[first[v]];
     if (first[v] != v) return;
-    canonical.caller[count] = canonical.caller[v];
+    canonical.original_index[count] = canonical.original_index[v];
     canonical.mesh.positions[count++] = canonical.mesh.positions[v];
   });
-  canonical.caller.resize(count);
+  canonical.original_index.resize(count);
   canonical.mesh.positions.resize(count);
   for (std::uint32_t& v : canonical.vertex_of) v = number[v];
   canonical.mesh.triangles = ordered_triangles(canonical.mesh.triangles, number, count, execution);
@@ -115,18 +115,19 @@ void join_vertices(const std::vector<std::uint32_t>& first, CanonicalMesh& canon
 
 }  // namespace
 
-CanonicalMesh in_canonical_order(const TriangleMesh& mesh)
+CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh)
 {
   Execution execution(1);
-  return in_canonical_order(mesh, execution);
+  return make_canonical_mesh(mesh, execution);
 }
 
-CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution)
+CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh, Execution& execution)
 {
   require_valid_indices(mesh);
   CanonicalMesh canonical;
   number_vertices(mesh, canonical, execution);
-  canonical.mesh.triangles = ordered_triangles(mesh.triangles, canonical.vertex_of, canonical.caller.size(), execution);
+  canonical.mesh.triangles =
+      ordered_triangles(mesh.triangles, canonical.vertex_of, canonical.original_index.size(), execution);
   const std::vector<std::uint32_t> first = coincident_border(canonical.mesh, execution);
   if (!first.empty()) join_vertices(first, canonical, execution);
   if (canonical.mesh.triangles.empty() && !mesh.triangles.empty()) refuse_without_area();

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/support/execution.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/support/execution.h"
 
 namespace integral_invariant {
 
@@ -15,12 +15,13 @@ namespace integral_invariant {
 /// Vertices at one place are one vertex, however many copies of it the caller has.
 struct CanonicalMesh {
   TriangleMesh mesh;
-  std::vector<std::uint32_t> caller;  ///< vertex i of `mesh` is the caller's vertex caller[i], the first of its copies
+  std::vector<std::uint32_t>
+      original_index;  ///< vertex i of `mesh` is the caller's vertex original_index[i], the first of its copies
   std::vector<std::uint32_t> vertex_of;  ///< the caller's vertex v is vertex vertex_of[v] of `mesh`
   std::size_t collapsed_triangles = 0;   ///< two of their corners are one vertex now: left out of `mesh`
 
   /// Vertices of the caller that are copies of another one.
-  std::size_t joined_vertices() const { return vertex_of.size() - caller.size(); }
+  std::size_t joined_vertices() const { return vertex_of.size() - original_index.size(); }
   /// Counts what joining took away; `report` is about `mesh`, and then about the caller's.
   void complete(SurfaceReport& report) const;
   /// One value a vertex of `mesh`, as the caller has them.
@@ -32,12 +33,13 @@ struct CanonicalMesh {
     for (const std::uint32_t v : vertex_of) result.push_back(values[v]);
     return result;
   }
-  /// `values` has one entry a vertex of the caller, of which those of caller[i] are set: gives them to the copies.
+  /// `values` has one entry a vertex of the caller, of which those of original_index[i] are set: gives them to the
+  /// copies.
   template <class Value>
   void give_to_copies(std::vector<Value>& values) const
   {
     if (joined_vertices() == 0) return;
-    for (std::size_t v = 0; v < vertex_of.size(); ++v) values[v] = values[caller[vertex_of[v]]];
+    for (std::size_t v = 0; v < vertex_of.size(); ++v) values[v] = values[original_index[vertex_of[v]]];
   }
 };
 
@@ -46,8 +48,8 @@ struct CanonicalMesh {
 /// that triangles use are joined where they are at the same place, and along open edges where they are as near as the
 /// mesh's own precision can tell (see coincident_border()). Triangles begin with their smallest vertex, and are sorted.
 /// Cost: O(n log n + m), and 56 bytes a vertex. \throw InputError where an index is out of range
-CanonicalMesh in_canonical_order(const TriangleMesh& mesh, Execution& execution);
+CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh, Execution& execution);
 /// The same with one thread.
-CanonicalMesh in_canonical_order(const TriangleMesh& mesh);
+CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh);
 
 }  // namespace integral_invariant

@@ -34,7 +34,7 @@ BorderVertices border_of(const TriangleMesh& mesh, Execution& execution)
   for_each_in_order(mesh.triangles.size(), execution, [&](std::size_t i) {
     if (is_proper(mesh.triangles[i], mesh.positions)) proper.push_back(mesh.triangles[i]);
   });
-  const std::vector<Edge> edges = edge_list(proper, mesh.positions.size(), execution);
+  const std::vector<Edge> edges = list_edges(proper, mesh.positions.size(), execution);
   std::vector<char> on_border(mesh.positions.size(), 0);
   bool is_open = false;
   for_each_in_order(edges.size(), execution, [&](std::size_t i) {

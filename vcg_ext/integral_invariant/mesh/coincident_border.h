@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/support/execution.h"
 #include "integral_invariant/mesh.h"
+#include "integral_invariant/support/execution.h"
 
 namespace integral_invariant {
 

@@ -19,7 +19,7 @@ struct Pass {
 
 }  // namespace
 
-std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t vertices, Execution& execution)
+std::vector<Edge> list_edges(const std::vector<Triangle>& triangles, std::size_t vertices, Execution& execution)
 {
   // By the lower end: those buckets are short.
   Buckets<Pass> passes = in_buckets<Pass>(triangles.size(), vertices, execution, [&](std::size_t i, const auto& put) {

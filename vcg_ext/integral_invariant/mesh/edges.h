@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/support/execution.h"
 #include "integral_invariant/mesh.h"
+#include "integral_invariant/support/execution.h"
 
 namespace integral_invariant {
 
@@ -17,6 +17,6 @@ struct Edge {
 };
 
 /// Every edge once, ordered by (low, high). `vertices`: their number. Cost: O(m log valence), 48 bytes a triangle.
-std::vector<Edge> edge_list(const std::vector<Triangle>& triangles, std::size_t vertices, Execution& execution);
+std::vector<Edge> list_edges(const std::vector<Triangle>& triangles, std::size_t vertices, Execution& execution);
 
 }  // namespace integral_invariant

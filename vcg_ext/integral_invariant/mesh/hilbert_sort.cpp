@@ -6,22 +6,22 @@
 #include <cstddef>
 #include <utility>
 
-#include "integral_invariant/support/buckets.h"
 #include "integral_invariant/mesh.h"
+#include "integral_invariant/support/buckets.h"
 
 namespace integral_invariant {
 
-std::vector<CurvePlace> order_along(const HilbertCurve& curve, const std::vector<Vec3>& positions,
+std::vector<CurveCell> hilbert_sort(const HilbertCurve& curve, const std::vector<Vec3>& positions,
                                     const std::function<bool(std::size_t vertex)>& counts, Execution& execution)
 {
   // Parts of the curve first, so that workers can sort them, and none for long.
   constexpr int part_bits = 12, bits_within = 3 * HilbertCurve::bits - part_bits;
   const std::vector<std::uint64_t> cells = curve.indices(positions, execution);
-  Buckets<CurvePlace> parts = in_buckets<CurvePlace>(
+  Buckets<CurveCell> parts = in_buckets<CurveCell>(
       positions.size(), std::size_t(1) << part_bits, execution, [&](std::size_t v, const auto& put) {
-        if (counts(v)) put(cells[v] >> bits_within, CurvePlace{cells[v], std::uint32_t(v)});
+        if (counts(v)) put(cells[v] >> bits_within, CurveCell{cells[v], std::uint32_t(v)});
       });
-  const auto less = [&](const CurvePlace& a, const CurvePlace& b) {
+  const auto less = [&](const CurveCell& a, const CurveCell& b) {
     return a.cell != b.cell ? a.cell < b.cell : precedes(a.vertex, b.vertex, positions);
   };
   parallel_step(parts.count(), 16, execution, [&](std::size_t begin, std::size_t end, int) {

@@ -9,11 +9,11 @@ namespace integral_invariant {
 
 namespace {
 
-int longest_side(const PlacedItem* begin, const PlacedItem* end)
+int longest_side(const SortItem* begin, const SortItem* end)
 {
   float low[3], high[3];
   for (int i = 0; i < 3; ++i) low[i] = high[i] = begin->place[i];
-  for (const PlacedItem* item = begin; item != end; ++item)
+  for (const SortItem* item = begin; item != end; ++item)
     for (int i = 0; i < 3; ++i) {
       low[i] = std::min(low[i], item->place[i]);
       high[i] = std::max(high[i], item->place[i]);
@@ -27,7 +27,7 @@ int longest_side(const PlacedItem* begin, const PlacedItem* end)
 /// Items [begin, end) that are to be split where `left` of them, or half as many and so on, are the larger share of
 /// them.
 struct Part {
-  PlacedItem *begin, *end;
+  SortItem *begin, *end;
   std::size_t left;
 
   std::size_t count() const { return std::size_t(end - begin); }
@@ -39,8 +39,8 @@ std::array<Part, 2> halves(Part part, std::size_t run)
   if (part.count() <= run) return {part, {part.end, part.end, run}};
   while (part.left >= part.count()) part.left /= 2;
   const int axis = longest_side(part.begin, part.end);
-  PlacedItem* middle = part.begin + part.left;
-  std::nth_element(part.begin, middle, part.end, [axis](const PlacedItem& a, const PlacedItem& b) {
+  SortItem* middle = part.begin + part.left;
+  std::nth_element(part.begin, middle, part.end, [axis](const SortItem& a, const SortItem& b) {
     return a.place[axis] < b.place[axis] || (a.place[axis] == b.place[axis] && a.index < b.index);
   });
   return {{{part.begin, middle, part.left / 2}, {middle, part.end, part.left}}};
@@ -54,10 +54,10 @@ void split(const Part& part, std::size_t run)
 
 }  // namespace
 
-void order_compactly(std::vector<PlacedItem>& items, std::size_t run, Execution& execution)
+void kd_sort(std::vector<SortItem>& items, std::size_t run, Execution& execution)
 {
   // A few milliseconds' work each, and what a worker orders alone: nobody who wants to stop waits for more.
-  const std::size_t stretch = run * longest_stretch;
+  const std::size_t stretch = run * longest_segment;
   constexpr std::size_t largest_share = 65536;
   std::vector<Part> parts;
   for (std::size_t begin = 0; begin < items.size(); begin += stretch)

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "integral_invariant/error.h"
 #include "integral_invariant/mesh/coordinate_step.h"
 #include "integral_invariant/mesh/edges.h"
 #include "integral_invariant/support/buckets.h"
-#include "integral_invariant/error.h"
 #include "integral_invariant/support/large_pages.h"
 
 namespace integral_invariant {
@@ -76,7 +76,7 @@ Surface::Surface(const TriangleMesh& mesh)
 Surface::Surface(const TriangleMesh& mesh, Execution& execution)
 {
   take_triangles(mesh, execution);
-  std::vector<Edge> edges = edge_list(triangles_, mesh.positions.size(), execution);
+  std::vector<Edge> edges = list_edges(triangles_, mesh.positions.size(), execution);
   normalise(mesh, edges, execution);
   drop_repetitions(edges, execution);
   connect(edges, execution);
@@ -172,7 +172,7 @@ void Surface::drop_repetitions(std::vector<Edge>& edges, Execution& execution)
   std::vector<Triangle> kept = without_repetitions(triangles_, positions_.size(), execution);
   report_.duplicate_triangles = triangles_.size() - kept.size();
   if (kept.size() == triangles_.size()) return;
-  std::vector<Edge> kept_edges = edge_list(kept, positions_.size(), execution);
+  std::vector<Edge> kept_edges = list_edges(kept, positions_.size(), execution);
   if (!closes(kept_edges, execution) && closes(edges, execution)) return;
   triangles_ = std::move(kept);
   edges = std::move(kept_edges);

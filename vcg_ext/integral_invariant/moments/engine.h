@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "integral_invariant/mesh/surface.h"
 #include "integral_invariant/parameters.h"
 #include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/symmetric3.h"
-#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 

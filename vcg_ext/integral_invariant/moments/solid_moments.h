@@ -7,22 +7,22 @@
 namespace integral_invariant {
 
 /// The ten moments ∫1, ∫y, ∫y yᵀ of a piece of solid about the ball's centre; signed, so that pieces add up.
-struct MomentSums {
+struct SolidMoments {
   double volume = 0;  ///< L^3
   Vec3 first;         ///< L^4
   Symmetric3 second;  ///< L^5
 
-  MomentSums& operator+=(const MomentSums& b)
+  SolidMoments& operator+=(const SolidMoments& b)
   {
     volume += b.volume;
     first += b.first;
     second += b.second;
     return *this;
   }
-  MomentSums operator*(double s) const { return {volume * s, first * s, second * s}; }
+  SolidMoments operator*(double s) const { return {volume * s, first * s, second * s}; }
 };
 
-inline MomentSums operator+(MomentSums a, const MomentSums& b) { return a += b; }
-inline MomentSums operator-(const MomentSums& a, const MomentSums& b) { return a + b * -1.0; }
+inline SolidMoments operator+(SolidMoments a, const SolidMoments& b) { return a += b; }
+inline SolidMoments operator-(const SolidMoments& a, const SolidMoments& b) { return a + b * -1.0; }
 
 }  // namespace integral_invariant

@@ -66,7 +66,7 @@ bool lies_on_lattice(const std::vector<Vec3>& positions)
 
 class Spectrum {
  public:
-  Spectrum(const Surface& surface, const TensorField& tensors, const Noise& white, Execution& execution)
+  Spectrum(const Surface& surface, const TensorField& tensors, const NoiseLevel& white, Execution& execution)
       : surface_(surface),
         tensors_(tensors),
         execution_(execution),
@@ -95,7 +95,8 @@ class Spectrum {
     return std::min(place * place_stride + place_stride / 2, tensors_.vertex_count() - 1);
   }
 
-  /// What flat triangles of edge ē cost, times r⁴: as estimate_noise() has it, but of a ball that noise hardly moves.
+  /// What flat triangles of edge ē cost, times r⁴: as estimate_noise_level() has it, but of a ball that noise hardly
+  /// moves.
   double triangulation_error(std::size_t v) const
   {
     constexpr double of_curvature = 0.11;
@@ -109,7 +110,7 @@ class Spectrum {
     constexpr double least_cell = 8, largest_cell = 25, largest_share = 6, least = 1e-24;
     const double small = tensors_.radii()[band], large = tensors_.radii()[band + 1];
     const std::size_t n = tensors_.vertex_count();
-    const GridPool pool(surface_.positions(), std::clamp(2 * large, least_cell, largest_cell), execution_);
+    const KernelSum pool(surface_.positions(), std::clamp(2 * large, least_cell, largest_cell), execution_);
     std::vector<double> squares;
     std::vector<std::array<double, 2>> sums;
     resize_in_steps(squares, n, execution_);
@@ -120,12 +121,12 @@ class Spectrum {
                        : -1;
       sums[v] = {squares[v] >= 0 ? std::log(squares[v] + least) : 0, squares[v] >= 0 ? 1.0 : 0};
     });
-    pool.sum_around(sums, execution_);
+    pool.splat_and_slice(sums, execution_);
     for_each_index(n, execution_, [&](std::size_t v) {
       const double usual = sums[v][1] > 0 ? std::exp(sums[v][0] / sums[v][1]) : 0;
       sums[v] = {squares[v] >= 0 ? std::min(squares[v], largest_share * usual) : 0, squares[v] >= 0 ? 1.0 : 0};
     });
-    pool.sum_around(sums, execution_);
+    pool.splat_and_slice(sums, execution_);
     add_kurtosis(band, squares, sums);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const std::size_t v = vertex_of(i);
@@ -294,7 +295,7 @@ bool is_gaussian(const Spectrum& spectrum)
 
 }  // namespace
 
-CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, const Noise& white,
+CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, const NoiseLevel& white,
                                       Execution& execution)
 {
   const std::size_t n = surface.vertex_count();
@@ -338,7 +339,7 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
     }
   });
   constexpr double cell = 16;
-  GridPool(surface.positions(), cell, execution).sum_around(sums, execution);
+  KernelSum(surface.positions(), cell, execution).splat_and_slice(sums, execution);
   const double usual = std::exp(fits[best].centre);
   for_each_index(n, execution, [&](std::size_t v) {
     result.sigma[v] = sums[v][1] > 1e-3 ? std::sqrt(sums[v][0] / sums[v][1]) : usual;
@@ -346,7 +347,7 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
   return result;
 }
 
-void add_correlated_noise(const CorrelatedNoise& correlated, Noise& noise, Execution& execution)
+void add_correlated_noise(const CorrelatedNoise& correlated, NoiseLevel& noise, Execution& execution)
 {
   constexpr double inflation = 1.7;  // of the variance
   noise.transfer = NoiseTransfer(correlated.correlation);
@@ -358,7 +359,7 @@ void add_correlated_noise(const CorrelatedNoise& correlated, Noise& noise, Execu
       noise.density[v] *= white > 0 ? variance / white : 1;
       if (!(white > 0)) noise.density[v] = 0.87 * variance;
       noise.sigma[v] = std::sqrt(variance);
-      noise.shape_share[v] = 0;
+      noise.lack_of_fit[v] = 0;
     }
     sum += noise.sigma[v] * noise.sigma[v];
   });

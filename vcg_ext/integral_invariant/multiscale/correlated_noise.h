@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "integral_invariant/ball_curvature/tensor_field.h"
+#include "integral_invariant/mesh/surface.h"
 #include "integral_invariant/multiscale/noise_level.h"
 #include "integral_invariant/support/execution.h"
-#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 
@@ -25,11 +25,11 @@ struct CorrelatedNoise {
 /// vertices (`white.sigma`) is one more, finest scale, which bounds noise of short correlation. Noise has to be
 /// Gaussian as well: where the differences have another kurtosis it is taken for shape. `tensors` are offset-free. Cost
 /// O(n · scales), about 3 µs a vertex, and 0.2 s once.
-CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, const Noise& white,
+CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, const NoiseLevel& white,
                                       Execution& execution);
 
 /// Makes `noise` that of both: what the polynomials see, and what the scales show beyond it, a little more rather than
 /// less, because noise that is taken for shape costs much and shape that is taken for noise little.
-void add_correlated_noise(const CorrelatedNoise& correlated, Noise& noise, Execution& execution);
+void add_correlated_noise(const CorrelatedNoise& correlated, NoiseLevel& noise, Execution& execution);
 
 }  // namespace integral_invariant

@@ -29,7 +29,7 @@ double doubt_of_fold(double r, double density, const NoiseTransfer& transfer)
 }
 
 /// What |κ| has to do from a scale to the next larger one.
-bool is_fold(std::size_t v, int scale, double least_fall, const TensorField& tensors, const Noise& noise)
+bool is_fold(std::size_t v, int scale, double least_fall, const TensorField& tensors, const NoiseLevel& noise)
 {
   constexpr double least_kr = 0.5;
   const CurvatureTensor small = tensors.at_scale(v, scale), large = tensors.at_scale(v, scale + 1);
@@ -41,7 +41,7 @@ bool is_fold(std::size_t v, int scale, double least_fall, const TensorField& ten
 }
 
 /// In larger balls smooth parts of the same size look the same; under noise there is nothing else.
-bool is_fold(std::size_t v, int scale, const TensorField& tensors, const Noise& noise)
+bool is_fold(std::size_t v, int scale, const TensorField& tensors, const NoiseLevel& noise)
 {
   constexpr double least_fall = 1.3, largest_doubt = 0.5;
   constexpr double noisy_fall = 1.4, largest_noisy_radius = 4;
@@ -53,18 +53,19 @@ bool is_fold(std::size_t v, int scale, const TensorField& tensors, const Noise& 
   return is_fold(v, scale, least_fall, tensors, noise);
 }
 
-bool is_polynomial(const VertexFit& fit)
+bool is_polynomial(const Jet& fit)
 {
   constexpr double largest_residual = 0.02, largest_kr = 1.3;
-  return fit.tensor.confidence > 0 && fit.residual >= 0 && fit.residual < largest_residual * largest_residual &&
-         largest_absolute_curvature(fit.tensor) * fit.reach < largest_kr;
+  return fit.tensor.confidence > 0 && fit.residual_variance >= 0 &&
+         fit.residual_variance < largest_residual * largest_residual &&
+         largest_absolute_curvature(fit.tensor) * fit.support_radius < largest_kr;
 }
 
 bool has_any(const std::vector<char>& flags) { return std::find(flags.begin(), flags.end(), 1) != flags.end(); }
 
 /// Creases are lines, and a third of the vertices around them is theirs. Under noise a rod no thicker than the balls
 /// looks like a crease all over, and smooth parts do here and there by chance.
-void keep_lines(const Surface& surface, const Noise& noise, double radius, std::vector<char>& is_crease,
+void keep_lines(const Surface& surface, const NoiseLevel& noise, double radius, std::vector<char>& is_crease,
                 Execution& execution)
 {
   constexpr double least_doubt = 0.25, least_share = 0.05, largest_share = 0.5, pool_cell = 6.5;
@@ -77,7 +78,7 @@ void keep_lines(const Surface& surface, const Noise& noise, double radius, std::
   std::vector<std::array<double, 2>> counts;
   resize_in_steps(counts, is_crease.size(), execution);
   for_each_index(counts.size(), execution, [&](std::size_t v) { counts[v] = {double(is_crease[v]), 1}; });
-  GridPool(surface.positions(), pool_cell, execution).sum_around(counts, execution);
+  KernelSum(surface.positions(), pool_cell, execution).splat_and_slice(counts, execution);
   for_each_index(counts.size(), execution, [&](std::size_t v) {
     const double share = counts[v][0] / counts[v][1];
     if (is_doubted(v) && (share < least_share || share > largest_share)) is_crease[v] = 0;
@@ -111,8 +112,8 @@ std::vector<float> distances(const Surface& surface, const std::vector<char>& is
 
 }  // namespace
 
-Creases find_creases(const Surface& surface, const TensorField& tensors, const std::vector<VertexFit>& fits,
-                     const Noise& noise, const std::vector<char>& is_smooth, Execution& execution)
+Creases find_creases(const Surface& surface, const TensorField& tensors, const std::vector<Jet>& fits,
+                     const NoiseLevel& noise, const std::vector<char>& is_smooth, Execution& execution)
 {
   constexpr double smallest_radius = 2, largest_radius = 4;  // smaller balls see few triangles
   const std::vector<double>& radii = tensors.radii();

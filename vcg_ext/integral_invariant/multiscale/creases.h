@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "integral_invariant/ball_curvature/tensor_field.h"
+#include "integral_invariant/mesh/surface.h"
 #include "integral_invariant/multiscale/noise_level.h"
 #include "integral_invariant/support/execution.h"
-#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 
@@ -24,7 +24,7 @@ struct Creases {
 /// polynomial runs: `fits` tells a sharp ridge without noise from a fold, `is_smooth` (n flags, or nothing) another
 /// sheet beside a smooth one. Creases are lines: what looks like one nearly everywhere or almost nowhere around, as
 /// thin rods do under noise, is none. Cost O(n), and O(n log n) where there are creases.
-Creases find_creases(const Surface& surface, const TensorField& tensors, const std::vector<VertexFit>& fits,
-                     const Noise& noise, const std::vector<char>& is_smooth, Execution& execution);
+Creases find_creases(const Surface& surface, const TensorField& tensors, const std::vector<Jet>& fits,
+                     const NoiseLevel& noise, const std::vector<char>& is_smooth, Execution& execution);
 
 }  // namespace integral_invariant

@@ -9,10 +9,10 @@
 #include "integral_invariant/ball_curvature/ball_bias.h"
 #include "integral_invariant/ball_curvature/offset_free.h"
 #include "integral_invariant/ball_curvature/tangent_frame.h"
+#include "integral_invariant/multiscale/jet_fusion.h"
 #include "integral_invariant/multiscale/jet_observations.h"
 #include "integral_invariant/multiscale/scale_filter.h"
 #include "integral_invariant/multiscale/tensor_prior.h"
-#include "integral_invariant/multiscale/jet_fusion.h"
 #include "integral_invariant/multiscale/valid_scales.h"
 
 namespace integral_invariant {
@@ -21,15 +21,15 @@ namespace {
 
 /// The normal is that of a small ball, the frame the principal one of the largest, which has the least noise: a frame
 /// that follows the noise of what it is to judge would pass it for shape.
-TangentFrame frame_of(std::size_t vertex, const TensorField& tensors, const WholeBalls& balls)
+TangentFrame frame_of(std::size_t vertex, const TensorField& tensors, const ValidScales& balls)
 {
   constexpr int usual_scale = 3;  // small, but not the prey of noise
   const std::size_t scales = tensors.radii().size();
   int scale = std::min(usual_scale, balls.largest[vertex]);
-  while (scale < balls.largest[vertex] && balls.origin[vertex * scales + std::size_t(scale)] == Origin::none) ++scale;
+  while (scale < balls.largest[vertex] && balls.source[vertex * scales + std::size_t(scale)] == Source::none) ++scale;
   const Vec3 normal = tensors.at_scale(vertex, scale).normal;
   const CurvatureTensor smoothest = tensors.at_scale(vertex, balls.largest[vertex]);
-  const Vec3 u = turned(principal_curvatures(smoothest).dir_max, smoothest.normal, normal);
+  const Vec3 u = rotate_to(principal_curvatures(smoothest).dir_max, smoothest.normal, normal);
   return {normal, u, cross(normal, u)};
 }
 
@@ -37,11 +37,11 @@ struct Signals {
   Signal mean, deviator, normal;
 };
 
-Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const std::vector<TangentFrame>& frames,
-                     const Noise& noise, Execution& execution)
+Signals make_signals(const TensorField& tensors, const ValidScales& balls, const std::vector<TangentFrame>& frames,
+                     const NoiseLevel& noise, Execution& execution)
 {
   const std::size_t n = frames.size(), scales = tensors.radii().size(), places = n * scales;
-  Signals s{{1, Evidence::joint, places}, {2, Evidence::each, places}, {2, Evidence::each, places}};
+  Signals s{{1, GainSharing::joint, places}, {2, GainSharing::each, places}, {2, GainSharing::each, places}};
   parallel_for(
       n, 2048, execution,
       [&](std::size_t begin, std::size_t end, int) {
@@ -52,7 +52,7 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
             s.mean.values[place] = {float(c.mean), 0};
             s.deviator.values[place] = {float(c.deviator[0]), float(c.deviator[1])};
             s.normal.values[place] = {float(c.tilt[0]), float(c.tilt[1])};
-            if (balls.origin[place] == Origin::vertices) {
+            if (balls.source[place] == Source::jet) {
               const DiscVariance& variance = balls.variance(v, i);
               const double square = noise.sigma[v] * noise.sigma[v], r = tensors.radii()[i];
               const float of_curvature = float(square * noise.transfer.curvature_ratio(r));
@@ -64,7 +64,7 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
             const double r = tensors.radii()[i], r2 = r * r, density = noise.density[v];
             const double curvature_ratio = noise.transfer.curvature_ratio(r),
                          normal_ratio = noise.transfer.normal_ratio(r);
-            const double flat = noise.flatness[v] * noise.flatness[v] / (r2 * r2 * r2 * r2);
+            const double flat = noise.faceting_error[v] * noise.faceting_error[v] / (r2 * r2 * r2 * r2);
             s.mean.noise[place] =
                 float(disc_variance::mean_curvature * curvature_ratio * density / (r2 * r2 * r2) + flat);
             s.deviator.noise[place] =
@@ -76,14 +76,14 @@ Signals make_signals(const TensorField& tensors, const WholeBalls& balls, const 
   return s;
 }
 
-struct ChainResults {
-  ChainResult mean, deviator, normal;
+struct FilteredSignals {
+  FilteredSignal mean, deviator, normal;
 };
 
-ChainResults run_chains(const Signals& signals, const ScaleEvidence& evidence, Execution& execution)
+FilteredSignals run_chains(const Signals& signals, const FilterContext& evidence, Execution& execution)
 {
-  ScaleChain chain(evidence, execution);
-  ChainResults results;
+  ScaleFilter chain(evidence, execution);
+  FilteredSignals results;
   results.mean = chain.run(signals.mean);
   execution.report(0.65);
   results.deviator = chain.run(signals.deviator);
@@ -93,7 +93,7 @@ ChainResults run_chains(const Signals& signals, const ScaleEvidence& evidence, E
   return results;
 }
 
-void remove_own_bias(TensorField& tensors, const Noise& noise, Execution& execution)
+void remove_own_bias(TensorField& tensors, const NoiseLevel& noise, Execution& execution)
 {
   // Half of a vertex's variance is left where triangles average their three corners.
   constexpr double surface_share = 0.5;
@@ -104,7 +104,7 @@ void remove_own_bias(TensorField& tensors, const Noise& noise, Execution& execut
         for (std::size_t v = begin; v < end; ++v)
           for (std::size_t i = 0; i < radii.size(); ++i) {
             const double variance = surface_share * noise.sigma[v] * noise.sigma[v];
-            tensors.set(v, int(i), without_own_bias(tensors.at_scale(v, int(i)), radii[i], noise.offset[v], variance));
+            tensors.set(v, int(i), correct_ball_bias(tensors.at_scale(v, int(i)), radii[i], noise.offset[v], variance));
           }
       },
       0, 0.1);
@@ -112,22 +112,22 @@ void remove_own_bias(TensorField& tensors, const Noise& noise, Execution& execut
 
 /// The chains start from a vertex's largest disc, which may hardly tell its curvature in one direction; what they add
 /// to it does not depend on it.
-void shrink_starts(const std::vector<TangentFrame>& frames, const TensorField& tensors, const WholeBalls& balls,
-                   const Signals& signals, const Noise& noise, ChainResults& chains, Execution& execution)
+void shrink_starts(const std::vector<TangentFrame>& frames, const TensorField& tensors, const ValidScales& balls,
+                   const Signals& signals, const NoiseLevel& noise, FilteredSignals& chains, Execution& execution)
 {
   const std::size_t scales = tensors.radii().size();
   for_each_index(frames.size(), execution, [&](std::size_t v) {
     const std::size_t scale = std::size_t(balls.largest[v]), place = v * scales + scale;
-    if (balls.origin[place] != Origin::vertices) return;
+    if (balls.source[place] != Source::jet) return;
     const Vec3 normal = tensors.at_scale(v, int(scale)).normal;
-    const Vec3 u = turned(frames[v].u, frames[v].normal, normal);
+    const Vec3 u = rotate_to(frames[v].u, frames[v].normal, normal);
     const Symmetric3 covariance =
         balls.variance(v, scale).covariance_along(u, normal) *
         (noise.sigma[v] * noise.sigma[v] * noise.transfer.curvature_ratio(tensors.radii()[scale]));
     const Vec3 start{signals.mean.values[place][0], signals.deviator.values[place][0],
                      signals.deviator.values[place][1]};
-    const ShrunkCurvature shrunk = shrunk_to_plane(start, covariance);
-    const auto replace_start = [&](ChainResult& chain, const Signal& signal, std::size_t c, double value, double was,
+    const PosteriorCurvature shrunk = posterior_curvature(start, covariance);
+    const auto replace_start = [&](FilteredSignal& chain, const Signal& signal, std::size_t c, double value, double was,
                                    double variance) {
       chain.value[v][c] += value - was;
       chain.variance[v][c] = std::max(0.0, chain.variance[v][c] - double(signal.noise[place])) + variance;
@@ -140,15 +140,15 @@ void shrink_starts(const std::vector<TangentFrame>& frames, const TensorField& t
 
 }  // namespace
 
-StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<float>& offsets,
-                                    const std::vector<VertexFit>& fits, const Noise& noise, Estimator estimator,
-                                    Execution& execution)
+MultiscaleCurvature estimate_multiscale(const Surface& surface, TensorField& tensors, const std::vector<float>& offsets,
+                                        const std::vector<Jet>& fits, const NoiseLevel& noise, Estimator estimator,
+                                        Execution& execution)
 {
   const std::size_t n = surface.vertex_count();
   const std::vector<double>& radii = tensors.radii();
   const bool removes_bias = estimator == Estimator::bias_free;
   if (removes_bias) remove_own_bias(tensors, noise, execution);
-  const WholeBalls balls = find_whole_balls(surface, offsets, fits, noise, removes_bias, tensors, execution);
+  const ValidScales balls = find_valid_scales(surface, offsets, fits, noise, removes_bias, tensors, execution);
 
   std::vector<TangentFrame> frames;
   std::vector<double> least_radius;
@@ -161,23 +161,23 @@ StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors
   const Signals signals = make_signals(tensors, balls, frames, noise, execution);
 
   constexpr double pool_over_radius = 2, least_pool = 8;
-  std::vector<GridPool> pools;
+  std::vector<KernelSum> pools;
   for (std::size_t i = 0; i + 1 < radii.size(); ++i) {
     pools.emplace_back(surface.positions(), std::max(least_pool, pool_over_radius * radii[i + 1]), execution);
     execution.report(0.3 + 0.2 * double(i) / double(radii.size()));
   }
-  const ScaleEvidence evidence{radii, balls, least_radius, pools, removes_bias};
-  ChainResults chains = run_chains(signals, evidence, execution);
+  const FilterContext evidence{radii, balls, least_radius, pools, removes_bias};
+  FilteredSignals chains = run_chains(signals, evidence, execution);
   if (removes_bias) {
     shrink_starts(frames, tensors, balls, signals, noise, chains, execution);
-    const FittedSignals fitted = make_fitted_signals(surface, fits, frames, noise, execution);
-    add_vertex_step(fitted.mean, pools.front(), chains.mean, execution);
-    add_vertex_step(fitted.deviator, pools.front(), chains.deviator, execution);
-    add_vertex_step(fitted.normal, pools.front(), chains.normal, execution);
+    const JetObservations fitted = observe_jets(surface, fits, frames, noise, execution);
+    fuse_jets(fitted.mean, pools.front(), chains.mean, execution);
+    fuse_jets(fitted.deviator, pools.front(), chains.deviator, execution);
+    fuse_jets(fitted.normal, pools.front(), chains.normal, execution);
   }
   // Measured: variances are first order in the noise; slopes of strong noise make the errors larger.
   constexpr double second_order = 1.5;
-  StatisticalCurvature result;
+  MultiscaleCurvature result;
   resize_in_steps(result.tensor, n, execution);
   resize_in_steps(result.standard_error, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {

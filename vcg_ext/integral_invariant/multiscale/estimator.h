@@ -6,15 +6,15 @@
 
 #include "integral_invariant/ball_curvature/tensor_field.h"
 #include "integral_invariant/jets/jet_fit.h"
-#include "integral_invariant/parameters.h"
-#include "integral_invariant/multiscale/noise_level.h"
-#include "integral_invariant/support/execution.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/multiscale/noise_level.h"
+#include "integral_invariant/parameters.h"
+#include "integral_invariant/support/execution.h"
 
 namespace integral_invariant {
 
 /// One entry a vertex, normalised units.
-struct StatisticalCurvature {
+struct MultiscaleCurvature {
   std::vector<CurvatureTensor> tensor;
   std::vector<double> standard_error;  ///< of either principal curvature
   std::vector<double> radius;          ///< of the ball that alone would smooth the mean curvature as much
@@ -26,8 +26,8 @@ struct StatisticalCurvature {
 /// curvature is shrunk (tensor_prior.h). `tensors` are offset-free, `offsets`
 /// theirs (n × scales); with Estimator::bias_free they lose their own bias first, and scales predict each other.
 /// Changes `tensors`. Cost O(n · scales), about 0.4 µs a vertex and scale; more where discs of vertices replace balls.
-StatisticalCurvature combine_scales(const Surface& surface, TensorField& tensors, const std::vector<float>& offsets,
-                                    const std::vector<VertexFit>& fits, const Noise& noise, Estimator estimator,
-                                    Execution& execution);
+MultiscaleCurvature estimate_multiscale(const Surface& surface, TensorField& tensors, const std::vector<float>& offsets,
+                                        const std::vector<Jet>& fits, const NoiseLevel& noise, Estimator estimator,
+                                        Execution& execution);
 
 }  // namespace integral_invariant

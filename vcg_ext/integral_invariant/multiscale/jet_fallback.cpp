@@ -18,7 +18,7 @@ namespace {
 constexpr double least_fit_radius = 2.5;
 
 /// Points along a line leave a fit free across it, with a variance that single precision does not hold.
-bool is_usable(const VertexFit& fit)
+bool is_usable(const Jet& fit)
 {
   constexpr double largest_variance = 1e12;
   return fit.tensor.confidence > 0 && fit.mean_variance <= largest_variance &&
@@ -27,27 +27,27 @@ bool is_usable(const VertexFit& fit)
 
 /// Noise, and what a smooth surface has beyond the second degree: where there are creases or other sheets, more is one
 /// that runs through the disc.
-bool fits_well(const VertexFit& fit, double sigma)
+bool fits_well(const Jet& fit, double sigma)
 {
   constexpr double deviations = 2, shape_share = 0.04;
-  return std::sqrt(fit.residual) <= deviations * sigma + shape_share * fit.reach;
+  return std::sqrt(fit.residual_variance) <= deviations * sigma + shape_share * fit.support_radius;
 }
 
-DiscVariance isotropic_variance(const VertexFit& fit)
+DiscVariance isotropic_variance(const Jet& fit)
 {
   const float deviator = float(fit.deviator_variance);
   return {{float(fit.mean_variance), 0, 0, deviator, 0, deviator}, float(fit.normal_variance)};
 }
 
-CurvatureTensor tensor_of(const VertexFit& fit, bool removes_bias)
+CurvatureTensor tensor_of(const Jet& fit, bool removes_bias)
 {
-  return removes_bias ? without_graph_bias(fit.tensor, fit.reach) : fit.tensor;
+  return removes_bias ? correct_jet_bias(fit.tensor, fit.support_radius) : fit.tensor;
 }
 
 /// Balls and discs of one vertex.
 class VertexScales {
  public:
-  VertexScales(std::size_t v, const Noise& noise, TensorField& tensors, WholeBalls& balls)
+  VertexScales(std::size_t v, const NoiseLevel& noise, TensorField& tensors, ValidScales& balls)
       : v_(v),
         sigma_(noise.sigma[v]),
         density_(noise.density[v]),
@@ -62,33 +62,33 @@ class VertexScales {
   double sigma_at(double r) const { return sigma_ * std::sqrt(transfer_.curvature_ratio(r)); }
   const std::vector<double>& radii() const { return tensors_.radii(); }
   std::size_t count() const { return radii().size(); }
-  Origin origin(std::size_t scale) const { return balls_.origin[place(scale)]; }
+  Source source(std::size_t scale) const { return balls_.source[place(scale)]; }
 
   bool has_doubts() const
   {
     for (std::size_t i = 0; i < count(); ++i)
-      if (origin(i) == Origin::doubted) return true;
+      if (source(i) == Source::suspect) return true;
     return false;
   }
   /// Of the scales before `end`.
-  void settle_doubts(std::size_t end, Origin verdict)
+  void settle_doubts(std::size_t end, Source verdict)
   {
     for (std::size_t i = 0; i < end; ++i)
-      if (origin(i) == Origin::doubted) balls_.origin[place(i)] = verdict;
+      if (source(i) == Source::suspect) balls_.source[place(i)] = verdict;
   }
 
   /// What the fitter's last disc says.
-  void set_disc(std::size_t scale, const VertexFit& fit, const CurvatureTensor& tensor, const VertexFitter& fitter)
+  void set_disc(std::size_t scale, const Jet& fit, const CurvatureTensor& tensor, const JetFitter& fitter)
   {
     DiscVariance& variance = set_fit(scale, fit, tensor);
     const Symmetric3 c = fitter.disc_covariance(DiscVariance::axis(tensors_.at_scale(v_, int(scale)).normal));
     variance.curvature = {float(c.xx), float(c.xy), float(c.xz), float(c.yy), float(c.yz), float(c.zz)};
   }
   /// Any fit, with the same variance in all directions.
-  DiscVariance& set_fit(std::size_t scale, const VertexFit& fit, const CurvatureTensor& tensor)
+  DiscVariance& set_fit(std::size_t scale, const Jet& fit, const CurvatureTensor& tensor)
   {
     tensors_.set(v_, int(scale), {tensor.k, tensor.normal, least_confidence});
-    balls_.origin[place(scale)] = Origin::vertices;
+    balls_.source[place(scale)] = Source::jet;
     return balls_.variances[balls_.row[v_] * count() + scale] = isotropic_variance(fit);
   }
 
@@ -111,71 +111,71 @@ class VertexScales {
   const double sigma_, density_;
   const NoiseTransfer& transfer_;
   TensorField& tensors_;
-  WholeBalls& balls_;
+  ValidScales& balls_;
 };
 
-void substitute_discs_at(VertexScales scales, Vec3 normal, const Creases& creases, bool removes_bias,
-                         VertexFitter& fitter)
+void substitute_discs_at(VertexScales scales, Vec3 normal, const Creases& creases, bool removes_bias, JetFitter& fitter)
 {
   constexpr std::size_t usual_scale = 3;
   constexpr double largest_lean = 0.2;
   const std::vector<double>& radii = scales.radii();
   const std::size_t v = scales.vertex();
-  fitter.start_disc(v, normal);
-  const VertexFit rough = fitter.grow_disc(radii[std::min(usual_scale, radii.size() - 1)]);
+  fitter.begin_disc(v, normal);
+  const Jet rough = fitter.extend_disc(radii[std::min(usual_scale, radii.size() - 1)]);
   if (rough.tensor.confidence > 0) normal = rough.tensor.normal;
-  fitter.start_disc(v, normal);
+  fitter.begin_disc(v, normal);
   const bool has_creases = !creases.is_crease.empty(), is_crease = has_creases && creases.is_crease[v];
   const bool must_fit = has_creases || scales.has_doubts();
-  bool has_any = scales.origin(0) == Origin::own;
+  bool has_any = scales.source(0) == Source::ball;
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    if (scales.origin(i) == Origin::own || radii[i] < least_fit_radius) continue;
-    const VertexFit fit = fitter.grow_disc(radii[i]);
-    if (!is_usable(fit) || (is_crease && fit.lean > largest_lean)) {
-      scales.settle_doubts(radii.size(), Origin::own);
+    if (scales.source(i) == Source::ball || radii[i] < least_fit_radius) continue;
+    const Jet fit = fitter.extend_disc(radii[i]);
+    if (!is_usable(fit) || (is_crease && fit.centroid_offset > largest_lean)) {
+      scales.settle_doubts(radii.size(), Source::ball);
       continue;
     }
     if (must_fit && !fits_well(fit, scales.sigma())) break;
     const CurvatureTensor t = tensor_of(fit, removes_bias);
-    const bool bends = is_bent(t, radii[i], doubt_of(isotropic_variance(fit), scales.sigma_at(radii[i])));
+    const bool bends =
+        exceeds_graph_limit(t, radii[i], three_sigma_of(isotropic_variance(fit), scales.sigma_at(radii[i])));
     if (bends && scales.has_doubts()) break;
-    const bool agrees = scales.origin(i) == Origin::doubted && scales.agrees(i, t);
-    scales.settle_doubts(i + 1, agrees ? Origin::own : Origin::none);
+    const bool agrees = scales.source(i) == Source::suspect && scales.agrees(i, t);
+    scales.settle_doubts(i + 1, agrees ? Source::ball : Source::none);
     if (!agrees) scales.set_disc(i, fit, t, fitter);
     if (has_any && bends) break;
     has_any = true;
   }
   // No disc spoke against them.
-  scales.settle_doubts(radii.size(), Origin::own);
-  if (has_any || is_crease || scales.origin(0) == Origin::own) return;
+  scales.settle_doubts(radii.size(), Source::ball);
+  if (has_any || is_crease || scales.source(0) == Source::ball) return;
   // Where all discs are too small or turn away, there are the nearest vertices.
-  const VertexFit nearest = fitter.nearest(v, normal);
+  const Jet nearest = fitter.nearest(v, normal);
   if (is_usable(nearest)) scales.set_fit(0, nearest, nearest.tensor);
 }
 
-bool has_all_balls(std::size_t v, const WholeBalls& balls, std::size_t scales)
+bool has_all_balls(std::size_t v, const ValidScales& balls, std::size_t scales)
 {
-  const auto begin = balls.origin.begin() + std::ptrdiff_t(v * scales), end = begin + std::ptrdiff_t(scales);
-  return std::all_of(begin, end, [](Origin origin) { return origin == Origin::own; });
+  const auto begin = balls.source.begin() + std::ptrdiff_t(v * scales), end = begin + std::ptrdiff_t(scales);
+  return std::all_of(begin, end, [](Source source) { return source == Source::ball; });
 }
 
 }  // namespace
 
-Doubt doubt_of(const DiscVariance& variance, double sigma)
+ThreeSigma three_sigma_of(const DiscVariance& variance, double sigma)
 {
   return {3 * sigma * std::sqrt(double(variance.mean()) + double(variance.deviator())),
           3 * sigma * std::sqrt(2 * double(variance.normal))};
 }
 
-bool is_bent(const CurvatureTensor& tensor, double radius, const Doubt& doubt)
+bool exceeds_graph_limit(const CurvatureTensor& tensor, double radius, const ThreeSigma& doubt)
 {
   constexpr double largest_kr = 1.3;
   return (largest_absolute_curvature(tensor) - doubt.curvature) * radius > largest_kr;
 }
 
-std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>& normals, const Noise& noise,
-                                bool removes_bias, const TensorField& tensors, const WholeBalls& balls,
-                                Execution& execution)
+std::vector<char> find_single_sheets(const Surface& surface, const std::vector<Vec3>& normals, const NoiseLevel& noise,
+                                     bool removes_bias, const TensorField& tensors, const ValidScales& balls,
+                                     Execution& execution)
 {
   const std::vector<double>& radii = tensors.radii();
   const std::size_t n = surface.vertex_count();
@@ -183,32 +183,33 @@ std::vector<char> smooth_sheets(const Surface& surface, const std::vector<Vec3>&
   if (scale == radii.size()) return {};
   std::vector<std::uint32_t> beside_others;
   for_each_in_order(n, execution, [&](std::size_t v) {
-    if (surface.is_referenced(v) && balls.origin[v * radii.size() + scale] != Origin::own &&
+    if (surface.is_referenced(v) && balls.source[v * radii.size() + scale] != Source::ball &&
         tensors.at_scale(v, int(scale)).confidence >= least_confidence)
       beside_others.push_back(std::uint32_t(v));
   });
   if (beside_others.empty()) return {};
   std::vector<char> is_smooth;
   resize_in_steps(is_smooth, n, execution);
-  VertexFitters fitters(surface, execution);
+  JetFitters fitters(surface, execution);
   parallel_step(beside_others.size(), 256, execution, [&](std::size_t begin, std::size_t end, int worker) {
-    VertexFitter& fitter = fitters.of(worker);
+    JetFitter& fitter = fitters.of(worker);
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t v = beside_others[i];
-      fitter.start_disc(v, normals[v]);
-      const VertexFit fit = fitter.grow_disc(radii[scale]);
+      fitter.begin_disc(v, normals[v]);
+      const Jet fit = fitter.extend_disc(radii[scale]);
       is_smooth[v] = is_usable(fit) && fits_well(fit, noise.sigma[v]) &&
-                     !is_bent(tensor_of(fit, removes_bias), radii[scale],
-                              doubt_of(isotropic_variance(fit),
-                                       noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[scale]))));
+                     !exceeds_graph_limit(
+                         tensor_of(fit, removes_bias), radii[scale],
+                         three_sigma_of(isotropic_variance(fit),
+                                        noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[scale]))));
     }
   });
   return is_smooth;
 }
 
-void substitute_discs(const Surface& surface, const std::vector<Vec3>& normals, const Noise& noise,
-                      const Creases& creases, bool removes_bias, TensorField& tensors, WholeBalls& balls,
-                      Execution& execution)
+void fall_back_to_jets(const Surface& surface, const std::vector<Vec3>& normals, const NoiseLevel& noise,
+                       const Creases& creases, bool removes_bias, TensorField& tensors, ValidScales& balls,
+                       Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   std::vector<std::uint32_t> cut;
@@ -219,11 +220,11 @@ void substitute_discs(const Surface& surface, const std::vector<Vec3>& normals, 
   resize_in_steps(balls.row, n, execution);
   for_each_index(cut.size(), execution, [&](std::size_t i) { balls.row[cut[i]] = std::uint32_t(i); });
   resize_in_steps(balls.variances, cut.size() * scales, execution);
-  VertexFitters fitters(surface, execution, creases.is_crease);
+  JetFitters fitters(surface, execution, creases.is_crease);
   parallel_for(
       cut.size(), 64, execution,
       [&](std::size_t begin, std::size_t end, int worker) {
-        VertexFitter& fitter = fitters.of(worker);
+        JetFitter& fitter = fitters.of(worker);
         for (std::size_t i = begin; i < end; ++i) {
           const std::uint32_t v = cut[i];
           substitute_discs_at({v, noise, tensors, balls}, normals[v], creases, removes_bias, fitter);

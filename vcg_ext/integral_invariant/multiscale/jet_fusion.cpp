@@ -8,12 +8,12 @@
 
 namespace integral_invariant {
 
-void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResult& result, Execution& execution)
+void fuse_jets(const JetObservation& fitted, const KernelSum& pool, FilteredSignal& result, Execution& execution)
 {
   constexpr double largest_energy = 25, evident_energy = 12, least_share = 1.5, undeniable_energy = 40;
   constexpr double least_noise = 1e-30;  // of fits that are exact: energies stay finite
   const std::size_t n = fitted.values.size();
-  const int strands = strand_count(fitted.components, fitted.evidence), of_each = fitted.components / strands;
+  const int strands = gain_group_count(fitted.components, fitted.evidence), of_each = fitted.components / strands;
   std::vector<std::array<double, 3>> energies;
   std::vector<std::array<double, 2>> own;
   resize_in_steps(energies, n, execution);
@@ -30,7 +30,7 @@ void add_vertex_step(const FittedSignal& fitted, const GridPool& pool, ChainResu
       energies[v][1 + k] = std::min(own[v][k], largest_energy);
     }
   });
-  pool.sum_around(energies, execution);
+  pool.splat_and_slice(energies, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     if (!std::isfinite(fitted.noise[v])) return;
     for (int k = 0; k < strands; ++k) {

@@ -15,12 +15,12 @@ namespace {
 constexpr double least_variance = 1e-20;
 
 /// Fits that reach over a crease, and those beside them: a polynomial overshoots it, and swings to both sides of it.
-std::vector<char> near_creases(const Surface& surface, const std::vector<VertexFit>& fits, Execution& execution)
+std::vector<char> near_creases(const Surface& surface, const std::vector<Jet>& fits, Execution& execution)
 {
   constexpr double largest_kr = 1.3;
   std::vector<char> near(fits.size(), 0);
   for_each_in_order(fits.size(), execution, [&](std::size_t v) {
-    if (!(largest_absolute_curvature(fits[v].tensor) * fits[v].reach > largest_kr)) return;
+    if (!(largest_absolute_curvature(fits[v].tensor) * fits[v].support_radius > largest_kr)) return;
     near[v] = 1;
     for (std::uint32_t e = surface.neighbour_start()[v]; e < surface.neighbour_start()[v + 1]; ++e)
       near[surface.neighbours()[e]] = 1;
@@ -31,9 +31,10 @@ std::vector<char> near_creases(const Surface& surface, const std::vector<VertexF
 class Signals {
  public:
   Signals(std::size_t n, Execution& execution)
-      : result_{{1, Evidence::joint, {}, {}, {}}, {2, Evidence::each, {}, {}, {}}, {2, Evidence::each, {}, {}, {}}}
+      : result_{
+            {1, GainSharing::joint, {}, {}, {}}, {2, GainSharing::each, {}, {}, {}}, {2, GainSharing::each, {}, {}, {}}}
   {
-    for (FittedSignal* signal : {&result_.mean, &result_.deviator, &result_.normal}) {
+    for (JetObservation* signal : {&result_.mean, &result_.deviator, &result_.normal}) {
       resize_in_steps(signal->values, n, execution);
       resize_in_steps(signal->error, n, execution);
       resize_in_steps(signal->noise, n, execution, double(INFINITY));
@@ -41,7 +42,7 @@ class Signals {
   }
 
   /// \param variance of the vertices about the polynomial \param noise_share of it, 0 to 1
-  void set(std::size_t v, const VertexFit& fit, const TangentFrame& frame, double variance, double noise_share,
+  void set(std::size_t v, const Jet& fit, const TangentFrame& frame, double variance, double noise_share,
            const NoiseTransfer& transfer)
   {
     const TensorComponents c = components_of(fit.tensor, frame);
@@ -49,9 +50,9 @@ class Signals {
     result_.deviator.values[v] = c.deviator;
     result_.normal.values[v] = c.tilt;
     const double of_noise = std::max(variance * noise_share, least_variance);
-    const std::pair<FittedSignal*, double> parts[] = {{&result_.mean, fit.mean_variance},
-                                                      {&result_.deviator, fit.deviator_variance},
-                                                      {&result_.normal, fit.normal_variance}};
+    const std::pair<JetObservation*, double> parts[] = {{&result_.mean, fit.mean_variance},
+                                                        {&result_.deviator, fit.deviator_variance},
+                                                        {&result_.normal, fit.normal_variance}};
     for (const auto& [signal, of_part] : parts) {
       const double ratio =
           signal == &result_.normal ? transfer.normal_ratio_of(of_part) : transfer.curvature_ratio_of(of_part);
@@ -60,36 +61,36 @@ class Signals {
     }
   }
 
-  FittedSignals result() { return std::move(result_); }
+  JetObservations result() { return std::move(result_); }
 
  private:
-  FittedSignals result_;
+  JetObservations result_;
 };
 
 }  // namespace
 
-FittedSignals make_fitted_signals(const Surface& surface, const std::vector<VertexFit>& fits,
-                                  const std::vector<TangentFrame>& frames, const Noise& noise, Execution& execution)
+JetObservations observe_jets(const Surface& surface, const std::vector<Jet>& fits,
+                             const std::vector<TangentFrame>& frames, const NoiseLevel& noise, Execution& execution)
 {
   constexpr double evident_residual = 6, evident_terms = 1.5, least_shape_share = 0.9;
   const std::size_t n = fits.size();
   const std::vector<char> is_near_crease = near_creases(surface, fits, execution);
   Signals signals(n, execution);
-  VertexFitters fitters(surface, execution);
+  JetFitters fitters(surface, execution);
   parallel_step(n, 256, execution, [&](std::size_t begin, std::size_t end, int worker) {
     for (std::size_t v = begin; v < end; ++v) {
       if (!(fits[v].tensor.confidence > 0) || is_near_crease[v]) continue;
       double variance = noise.sigma[v] * noise.sigma[v];
-      if (noise.shape_share[v] > least_shape_share) {
-        const VertexFit fit = fitters.of(worker).finest(v, fits[v]);
-        signals.set(v, fit, frames[v], fit.residual >= 0 ? fit.residual : variance, 1 - noise.shape_share[v],
-                    noise.transfer);
+      if (noise.lack_of_fit[v] > least_shape_share) {
+        const Jet fit = fitters.of(worker).finest(v, fits[v]);
+        signals.set(v, fit, frames[v], fit.residual_variance >= 0 ? fit.residual_variance : variance,
+                    1 - noise.lack_of_fit[v], noise.transfer);
       } else {
-        const VertexFit& fit = fits[v];
-        if (fit.residual > evident_residual * variance) variance = fit.residual;
+        const Jet& fit = fits[v];
+        if (fit.residual_variance > evident_residual * variance) variance = fit.residual_variance;
         // A polynomial that only shape leaves over is as exact as its residual is small, and better than any ball.
-        const bool is_shape = fit.last_terms > evident_terms * fit.residual;
-        signals.set(v, fit, frames[v], variance, is_shape ? 1 - noise.shape_share[v] : 1, noise.transfer);
+        const bool is_shape = fit.top_degree_variance > evident_terms * fit.residual_variance;
+        signals.set(v, fit, frames[v], variance, is_shape ? 1 - noise.lack_of_fit[v] : 1, noise.transfer);
       }
     }
   });

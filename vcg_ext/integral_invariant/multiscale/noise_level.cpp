@@ -80,58 +80,59 @@ double smoothness(const CurvatureTensor& tensor, double radius)
 /// What the fits of a neighbourhood leave over.
 struct Residuals {
   std::vector<double> variance;     ///< or −1 where there is none
-  std::vector<double> shape_share;  ///< of it
+  std::vector<double> lack_of_fit;  ///< of it
 };
 
 /// Of what a neighbourhood's polynomials leave over. Noise stands in their terms of the highest degree as much as in
 /// what is beyond them; shape falls from degree to degree.
-double shape_share_of(double last_terms, double residual)
+double shape_share_of(double top_degree_variance, double residual)
 {
   constexpr double of_noise = 1.5, of_shape = 4;  // measured: 0.8 to 1.2 with noise, 40 and more without
-  return residual > 0 ? std::clamp((last_terms / residual - of_noise) / (of_shape - of_noise), 0.0, 1.0) : 1;
+  return residual > 0 ? std::clamp((top_degree_variance / residual - of_noise) / (of_shape - of_noise), 0.0, 1.0) : 1;
 }
 
 /// Creases stand out of the neighbourhood: first the average of the logarithms, which they move little, then of those
 /// that agree with it.
-Residuals pooled_residuals(const std::vector<VertexFit>& fits, const GridPool& pool, Execution& execution)
+Residuals pooled_residuals(const std::vector<Jet>& fits, const KernelSum& pool, Execution& execution)
 {
   constexpr double least = 1e-20, evident = 6;
   constexpr int rounds = 4;
   const std::size_t n = fits.size();
   Residuals result;
   resize_in_steps(result.variance, n, execution, -1.0);
-  resize_in_steps(result.shape_share, n, execution);
+  resize_in_steps(result.lack_of_fit, n, execution);
   std::vector<double>& variance = result.variance;
   std::vector<std::array<double, 3>> local;
   resize_in_steps(local, n, execution);
-  const auto counts = [&](std::size_t v) { return fits[v].residual >= 0; };
+  const auto counts = [&](std::size_t v) { return fits[v].residual_variance >= 0; };
   for_each_index(n, execution, [&](std::size_t v) {
-    local[v] = {counts(v) ? 1.0 : 0, counts(v) ? std::log(fits[v].residual + least) : 0, 0};
+    local[v] = {counts(v) ? 1.0 : 0, counts(v) ? std::log(fits[v].residual_variance + least) : 0, 0};
   });
-  pool.sum_around(local, execution);
+  pool.splat_and_slice(local, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     if (local[v][0] > 1e-3) variance[v] = std::exp(local[v][1] / local[v][0]);
   });
   for (int round = 0; round < rounds; ++round) {
     for_each_index(n, execution, [&](std::size_t v) {
-      const bool agrees = counts(v) && fits[v].residual < evident * variance[v];
-      local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual : 0, agrees ? std::max(fits[v].last_terms, 0.0) : 0};
+      const bool agrees = counts(v) && fits[v].residual_variance < evident * variance[v];
+      local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual_variance : 0,
+                  agrees ? std::max(fits[v].top_degree_variance, 0.0) : 0};
     });
-    pool.sum_around(local, execution);
+    pool.splat_and_slice(local, execution);
     for_each_index(n, execution, [&](std::size_t v) {
       if (local[v][0] > 1e-3) variance[v] = local[v][1] / local[v][0];
     });
   }
   for_each_index(n, execution, [&](std::size_t v) {
-    if (local[v][0] > 1e-3) result.shape_share[v] = shape_share_of(local[v][2], local[v][1]);
+    if (local[v][0] > 1e-3) result.lack_of_fit[v] = shape_share_of(local[v][2], local[v][1]);
   });
   return result;
 }
 
 }  // namespace
 
-Noise estimate_noise(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
-                     const std::vector<VertexFit>& fits, double known_sigma, Execution& execution)
+NoiseLevel estimate_noise_level(const Surface& surface, const TensorField& tensors, const std::vector<float>& offsets,
+                                const std::vector<Jet>& fits, double known_sigma, Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
   const OffsetScales s = offset_scales(tensors.radii());
@@ -141,10 +142,10 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
   // Measured on a sphere: the curvature of its triangulation is off by 0.11 e⁴/r⁴, e the edge length.
   constexpr double flatness_error = 0.11;
 
-  Noise noise;
+  NoiseLevel noise;
   std::vector<double> uneven;  // how much triangles differ in how far they lie inside
   std::vector<std::array<double, 2>> local;
-  for (std::vector<double>* values : {&noise.offset, &noise.flatness, &noise.sigma, &noise.density, &uneven})
+  for (std::vector<double>* values : {&noise.offset, &noise.faceting_error, &noise.sigma, &noise.density, &uneven})
     resize_in_steps(*values, n, execution);
   resize_in_steps(local, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
@@ -152,7 +153,7 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
     const CurvatureTensor small = tensors.at_scale(v, s.first + 1);
     const SquaredEdges edges = squared_edges(surface, v, small.normal);
     const double mean = small.k.trace() / 2;
-    noise.flatness[v] = flatness_error * std::abs(mean) * edges.mean * edges.mean;
+    noise.faceting_error[v] = flatness_error * std::abs(mean) * edges.mean * edges.mean;
     uneven[v] = mean * edges.deviation / 8;
     // Triangles lie inside a smooth surface, on average by H times a 24th of a triangle's squared edges.
     const double offset = s.first_weight * offsets[v * scales + s.first] +
@@ -160,12 +161,12 @@ Noise estimate_noise(const Surface& surface, const TensorField& tensors, const s
     noise.offset[v] = counts > 0 ? offset : 0;
     local[v] = {counts * area[v], counts * area[v] * area[v]};
   });
-  const GridPool pool(surface.positions(), pool_cell, execution);
-  pool.sum_around(local, execution);
+  const KernelSum pool(surface.positions(), pool_cell, execution);
+  pool.splat_and_slice(local, execution);
   Residuals residuals = pooled_residuals(fits, pool, execution);
   const std::vector<double>& variance = residuals.variance;
-  noise.shape_share = std::move(residuals.shape_share);
-  if (known_sigma > 0) noise.shape_share.assign(n, 0);
+  noise.lack_of_fit = std::move(residuals.lack_of_fit);
+  if (known_sigma > 0) noise.lack_of_fit.assign(n, 0);
 
   // Vertices without fits around get the average of the others.
   double variance_sum = 0, count = 0;

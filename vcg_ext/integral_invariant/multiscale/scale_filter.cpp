@@ -33,9 +33,9 @@ struct State {
 
 }  // namespace
 
-class ScaleChain::Filter {
+class ScaleFilter::Filter {
  public:
-  Filter(const ScaleEvidence& evidence, Execution& execution)
+  Filter(const FilterContext& evidence, Execution& execution)
       : e_(evidence),
         execution_(execution),
         n_(evidence.least_radius.size()),
@@ -47,10 +47,10 @@ class ScaleChain::Filter {
     resize_in_steps(sums_, n_, execution);
   }
 
-  ChainResult run(const Signal& signal)
+  FilteredSignal run(const Signal& signal)
   {
     signal_ = &signal;
-    strands_ = strand_count(signal.components, signal.evidence);
+    strands_ = gain_group_count(signal.components, signal.evidence);
     of_each_ = signal.components / strands_;
     for (int i = int(scales_) - 1; i >= 0; --i) {
       start_at(i);
@@ -68,7 +68,7 @@ class ScaleChain::Filter {
   static constexpr double least_share = 0.1, drowned_share = 0.3, largest_energy = 25, evident_energy = 12,
                           evident_against_odds = 25;
 
-  bool is_measured(std::size_t v, int i) const { return e_.balls.origin[v * scales_ + std::size_t(i)] != Origin::none; }
+  bool is_measured(std::size_t v, int i) const { return e_.balls.source[v * scales_ + std::size_t(i)] != Source::none; }
   Pair difference(std::size_t v, int i) const
   {
     const auto &a = signal_->values[v * scales_ + std::size_t(i)],
@@ -124,7 +124,7 @@ class ScaleChain::Filter {
       const double square = dot(states_[v].detail, states_[v].detail);
       sums_[v] = {dot(difference(v, i), states_[v].detail), square, square * square, 1};
     });
-    e_.pools[std::size_t(i)].sum_around(sums_, execution_);
+    e_.pools[std::size_t(i)].splat_and_slice(sums_, execution_);
     const double square_law = gap(i) / gap(i + 1), sharing = e_.radii[std::size_t(i)] * e_.radii[std::size_t(i)];
     for_each_index(n_, execution_, [&](std::size_t v) {
       const auto& [product, square, fourth_power, count] = sums_[v];
@@ -158,7 +158,7 @@ class ScaleChain::Filter {
       sums_[v] = {1 / noise, 1, 0, 0};
       for (int k = 0; k < strands_; ++k) sums_[v][2 + k] = std::min(energy(v, k) / noise, largest_energy);
     });
-    e_.pools[std::size_t(i)].sum_around(sums_, execution_);
+    e_.pools[std::size_t(i)].splat_and_slice(sums_, execution_);
     const double log_step = std::log(e_.radii[std::size_t(i) + 1] / e_.radii[std::size_t(i)]);
     for_each_index(n_, execution_, [&](std::size_t v) {
       if (i >= e_.balls.largest[v]) return;
@@ -179,7 +179,7 @@ class ScaleChain::Filter {
     if (shape < (s.is_drowned ? drowned_share : least_share) * noise) shape = 0;
     s.is_drowned = s.is_drowned || shape == 0;
     // What stands out of the noise at the vertex itself is shape.
-    const bool is_fit = e_.balls.origin[v * scales_ + std::size_t(i)] == Origin::vertices;
+    const bool is_fit = e_.balls.source[v * scales_ + std::size_t(i)] == Source::jet;
     const double evident = s.is_drowned || is_fit ? evident_against_odds : evident_energy;
     shape = std::max(shape, energy(v, k) - evident * noise);
     const bool says_nothing = !is_measured(v, i) || e_.radii[std::size_t(i)] < e_.least_radius[v];
@@ -208,12 +208,12 @@ class ScaleChain::Filter {
     s.covariance = s.detail_variance + carried;
   }
 
-  ChainResult result() const
+  FilteredSignal result() const
   {
     // K(0) − K(r_0) from K(r_0) − K(r_1), by K = K₀ + c r².
     const double first = e_.radii.front();
     const double beyond = e_.predict && scales_ > 1 ? std::min(1.0, first * first / gap(0)) : 0;
-    ChainResult result;
+    FilteredSignal result;
     resize_in_steps(result.value, n_, execution_);
     resize_in_steps(result.variance, n_, execution_);
     resize_in_steps(result.radius, n_, execution_);
@@ -232,7 +232,7 @@ class ScaleChain::Filter {
 
   const Signal* signal_ = nullptr;
   int strands_ = 0, of_each_ = 0;  ///< and components of each of them
-  const ScaleEvidence& e_;
+  const FilterContext& e_;
   Execution& execution_;
   const std::size_t n_, scales_;
   ZeroedArray<State> states_;  ///< set at the vertex's largest scale
@@ -241,13 +241,13 @@ class ScaleChain::Filter {
   std::vector<std::array<double, 4>> sums_;  ///< over the neighbourhood
 };
 
-ScaleChain::ScaleChain(const ScaleEvidence& evidence, Execution& execution)
+ScaleFilter::ScaleFilter(const FilterContext& evidence, Execution& execution)
     : filter_(std::make_unique<Filter>(evidence, execution))
 {
 }
 
-ScaleChain::~ScaleChain() = default;
+ScaleFilter::~ScaleFilter() = default;
 
-ChainResult ScaleChain::run(const Signal& signal) { return filter_->run(signal); }
+FilteredSignal ScaleFilter::run(const Signal& signal) { return filter_->run(signal); }
 
 }  // namespace integral_invariant

@@ -14,33 +14,36 @@
 namespace integral_invariant {
 
 /// Whether two components are added together by what they show between them, or each by what it shows alone.
-enum class Evidence { joint, each };
+enum class GainSharing { joint, each };
 /// How many groups of components have weights of their own.
-inline int strand_count(int components, Evidence evidence) { return evidence == Evidence::each ? components : 1; }
+inline int gain_group_count(int components, GainSharing evidence)
+{
+  return evidence == GainSharing::each ? components : 1;
+}
 
 /// A quantity of up to two components, measured at every scale of every vertex, with noise whose differences between
 /// scales are independent (see disc_variance).
 struct Signal {
-  Signal(int component_count, Evidence how, std::size_t places)
+  Signal(int component_count, GainSharing how, std::size_t places)
       : components(component_count), evidence(how), values(places), noise(places)
   {
   }
   int components;
-  Evidence evidence;
+  GainSharing evidence;
   ZeroedArray<std::array<float, 2>> values;  ///< n × scales
   ZeroedArray<float> noise;                  ///< n × scales: variance of either component
 };
 
 /// What all signals of a run share.
-struct ScaleEvidence {
+struct FilterContext {
   const std::vector<double>& radii;
-  const WholeBalls& balls;
+  const ValidScales& balls;
   const std::vector<double>& least_radius;  ///< n: smaller balls are not linear in the noise and say nothing
-  const std::vector<GridPool>& pools;       ///< one a scale but the largest, for averages over the neighbourhood
+  const std::vector<KernelSum>& pools;      ///< one a scale but the largest, for averages over the neighbourhood
   bool predict;                             ///< whether a scale is predicted from the larger one: removes bias
 };
 
-struct ChainResult {
+struct FilteredSignal {
   std::vector<std::array<double, 2>> value;     ///< n
   std::vector<std::array<double, 2>> variance;  ///< n: expected squared error of each component
   std::vector<double> radius;                   ///< n: of the ball that alone would smooth the first one as much
@@ -55,13 +58,13 @@ struct ChainResult {
 /// square of the innovations over the neighbourhood less N. Where a scale shows nothing but noise P is 0 and nothing
 /// is added; where it shows shape w is 1 and the larger scales cancel. Below the smallest scale the bias is
 /// extrapolated as r².
-class ScaleChain {
+class ScaleFilter {
  public:
-  ScaleChain(const ScaleEvidence& evidence, Execution& execution);
-  ~ScaleChain();
+  ScaleFilter(const FilterContext& evidence, Execution& execution);
+  ~ScaleFilter();
 
   /// Cost O(n · scales), about 0.1 µs a vertex and scale; scratch memory is kept for the next signal. \throw Cancelled
-  ChainResult run(const Signal& signal);
+  FilteredSignal run(const Signal& signal);
 
  private:
   class Filter;

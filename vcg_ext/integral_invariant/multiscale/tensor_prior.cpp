@@ -37,11 +37,11 @@ double prior_variance(const std::array<double, 3>& square, const std::array<doub
 
 }  // namespace
 
-ShrunkCurvature shrunk_to_plane(const Vec3& curvature, const Symmetric3& covariance)
+PosteriorCurvature posterior_curvature(const Vec3& curvature, const Symmetric3& covariance)
 {
   // Curvature that hides in the noise is taken to be as large as could have.
   constexpr double hidden_share = 0.1;
-  const Eigen3 noise = eigen_decomposition(covariance);
+  const EigenDecomposition3 noise = eigen_decomposition(covariance);
   std::array<double, 3> along, square, variance;
   for (std::size_t k = 0; k < 3; ++k) {
     along[k] = dot(curvature, noise.vectors[k]);
@@ -49,7 +49,7 @@ ShrunkCurvature shrunk_to_plane(const Vec3& curvature, const Symmetric3& covaria
     variance[k] = std::max(0.0, noise.values[k]);
   }
   const double p = prior_variance(square, variance);
-  ShrunkCurvature result;
+  PosteriorCurvature result;
   for (std::size_t k = 0; k < 3; ++k) {
     const double weight = p / (p + variance[k] + least_variance), lost = 1 - weight;
     const Vec3& axis = noise.vectors[k];

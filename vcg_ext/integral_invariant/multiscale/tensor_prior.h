@@ -7,7 +7,7 @@
 namespace integral_invariant {
 
 /// The components of a curvature tensor, (H, (K_uu − K_vv)/2, K_uv), with the expected squares of their errors.
-struct ShrunkCurvature {
+struct PosteriorCurvature {
   Vec3 value, variance;
 };
 
@@ -16,6 +16,6 @@ struct ShrunkCurvature {
 /// come out as expected, 3; it is 0 where noise alone has them. So a strip between two creases, whose curvature along
 /// it is known a hundred times better than that across, gets of the latter no more than the former makes likely. Cost
 /// about 1 µs. Source: empirical Bayes, the equation for p as in Paule and Mandel (1982).
-ShrunkCurvature shrunk_to_plane(const Vec3& curvature, const Symmetric3& covariance);
+PosteriorCurvature posterior_curvature(const Vec3& curvature, const Symmetric3& covariance);
 
 }  // namespace integral_invariant

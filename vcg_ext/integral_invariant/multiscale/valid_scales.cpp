@@ -19,7 +19,7 @@ namespace {
 /// A ball that is cut by one sheet reads no more than about 2/r, whatever the sheet's shape: more is another sheet,
 /// which larger balls meet as well. So is an offset beyond the noise's and that of a curved sheet. Balls that are small
 /// against the noise read anything, and are bounded.
-void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorField& tensors, WholeBalls& balls)
+void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorField& tensors, ValidScales& balls)
 {
   // Below least_kr there is room for the errors of the engine.
   constexpr double least_kr = 0.3, largest_bent_kr = 1.3, largest_kr = 2;
@@ -37,49 +37,49 @@ void find_own_balls(std::size_t v, const float* offsets, double sigma, TensorFie
     const double bent = std::clamp(kr, least_kr, largest_bent_kr);
     const double of_shape = offset_share * bent * std::max(1.0, bent * bent) * radii[i];
     if (std::abs(double(offsets[i])) > of_noise + of_shape) sheet = std::min(sheet, i);
-    if (t.confidence >= least_confidence && sheet == radii.size()) balls.origin[v * radii.size() + i] = Origin::own;
+    if (t.confidence >= least_confidence && sheet == radii.size()) balls.source[v * radii.size() + i] = Source::ball;
   }
   // It shows late: it may be nearer by this factor, and cut what lies between unseen.
   constexpr double unseen_share = 2.3;
   for (std::size_t i = 0; i < sheet && sheet < radii.size(); ++i) {
-    Origin& origin = balls.origin[v * radii.size() + i];
-    if (origin == Origin::own && radii[sheet] < unseen_share * radii[i]) origin = Origin::doubted;
+    Source& source = balls.source[v * radii.size() + i];
+    if (source == Source::ball && radii[sheet] < unseen_share * radii[i]) source = Source::suspect;
   }
 }
 
 /// A ball that reaches over a crease gives way to a fit to its own side of it.
-void give_up_creased_balls(const Creases& creases, const std::vector<double>& radii, WholeBalls& balls,
+void give_up_creased_balls(const Creases& creases, const std::vector<double>& radii, ValidScales& balls,
                            Execution& execution)
 {
   constexpr double slack = 0.3;  // distances run along edges, and the least of a ball is at its rim
   for_each_index(creases.distance.size(), execution, [&](std::size_t v) {
     if (creases.is_crease[v]) return;
     for (std::size_t i = 1; i < radii.size(); ++i)
-      if (radii[i] > double(creases.distance[v]) + slack) balls.origin[v * radii.size() + i] = Origin::none;
+      if (radii[i] > double(creases.distance[v]) + slack) balls.source[v * radii.size() + i] = Source::none;
   });
 }
 
 /// On a crease every scale says something else, 1/r: the smallest that noise leaves speaks for it, and nothing of it
 /// enters the averages over the neighbourhood. Not where the ball sees another sheet and discs have been fitted.
-void keep_one_scale_on_creases(const Creases& creases, const std::vector<double>& radii, const Noise& noise,
-                               WholeBalls& balls, Execution& execution)
+void keep_one_scale_on_creases(const Creases& creases, const std::vector<double>& radii, const NoiseLevel& noise,
+                               ValidScales& balls, Execution& execution)
 {
   const std::size_t scales = radii.size();
   for_each_index(creases.is_crease.size(), execution, [&](std::size_t v) {
-    const auto origin = balls.origin.begin() + std::ptrdiff_t(v * scales);
-    const auto end = origin + std::ptrdiff_t(scales);
-    const bool is_fitted = origin[creases.scale] != Origin::own && std::find(origin, end, Origin::vertices) != end;
+    const auto source = balls.source.begin() + std::ptrdiff_t(v * scales);
+    const auto end = source + std::ptrdiff_t(scales);
+    const bool is_fitted = source[creases.scale] != Source::ball && std::find(source, end, Source::jet) != end;
     if (!creases.is_crease[v] || is_fitted) return;
     const double least_radius = least_radius_over_sigma * noise.sigma[v];
     int sharpest = 0;
     while (sharpest < creases.scale && radii[std::size_t(sharpest)] < least_radius) ++sharpest;
     balls.largest[v] = sharpest;
-    std::fill(origin, end, Origin::none);
-    origin[sharpest] = Origin::own;
+    std::fill(source, end, Source::none);
+    source[sharpest] = Source::ball;
   });
 }
 
-int largest_scale(std::size_t v, const TensorField& tensors, const Noise& noise, const WholeBalls& balls)
+int largest_scale(std::size_t v, const TensorField& tensors, const NoiseLevel& noise, const ValidScales& balls)
 {
   constexpr double least_cosine = 0.7, unchecked_radius = 2.5;
   const std::vector<double>& radii = tensors.radii();
@@ -88,19 +88,19 @@ int largest_scale(std::size_t v, const TensorField& tensors, const Noise& noise,
   Vec3 normal;
   for (int i = 0; i < int(radii.size()); ++i) {
     const std::size_t place = v * radii.size() + std::size_t(i);
-    if (balls.origin[place] == Origin::none) continue;
+    if (balls.source[place] == Source::none) continue;
     const CurvatureTensor t = tensors.at_scale(v, i);
     // The smallest balls see the noise of a few triangles, which says nothing about larger ones.
-    const Doubt doubt = balls.origin[place] == Origin::vertices
-                            ? doubt_of(balls.variance(v, std::size_t(i)),
-                                       noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[i])))
-                            : Doubt{};
+    const ThreeSigma doubt = balls.source[place] == Source::jet
+                                 ? three_sigma_of(balls.variance(v, std::size_t(i)),
+                                                  noise.sigma[v] * std::sqrt(noise.transfer.curvature_ratio(radii[i])))
+                                 : ThreeSigma{};
     const bool is_checked = radii[i] > unchecked_radius;
     if (is_checked && has_normal &&
-        (is_bent(t, radii[i], doubt) || dot(t.normal, normal) + doubt.normal < least_cosine))
+        (exceeds_graph_limit(t, radii[i], doubt) || dot(t.normal, normal) + doubt.normal < least_cosine))
       break;
     largest = i;
-    if (!is_checked && balls.origin[place] == Origin::vertices) continue;
+    if (!is_checked && balls.source[place] == Source::jet) continue;
     normal = t.normal;
     has_normal = true;
   }
@@ -112,17 +112,16 @@ int largest_scale(std::size_t v, const TensorField& tensors, const Noise& noise,
 Symmetric3 DiscVariance::covariance_along(const Vec3& u, const Vec3& tensor_normal) const
 {
   const Vec3 x = axis(tensor_normal), y = cross(tensor_normal, x);
-  return turned_covariance({curvature[0], curvature[1], curvature[2], curvature[3], curvature[4], curvature[5]},
+  return rotate_covariance({curvature[0], curvature[1], curvature[2], curvature[3], curvature[4], curvature[5]},
                            dot(u, x), dot(u, y));
 }
 
-WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& offsets,
-                            const std::vector<VertexFit>& fits, const Noise& noise, bool removes_bias,
-                            TensorField& tensors, Execution& execution)
+ValidScales find_valid_scales(const Surface& surface, const std::vector<float>& offsets, const std::vector<Jet>& fits,
+                              const NoiseLevel& noise, bool removes_bias, TensorField& tensors, Execution& execution)
 {
   const std::size_t n = surface.vertex_count(), scales = tensors.radii().size();
-  WholeBalls balls;
-  resize_in_steps(balls.origin, n * scales, execution);  // none
+  ValidScales balls;
+  resize_in_steps(balls.source, n * scales, execution);  // none
   resize_in_steps(balls.largest, n, execution);
   parallel_for(
       n, 2048, execution,
@@ -133,13 +132,14 @@ WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& of
       0.1, 0.12);
   // Those that the fits had are gone: they would stand in the peak of memory, and closed, smooth meshes need none here.
   std::vector<Vec3> normals;
-  if (std::any_of(balls.origin.begin(), balls.origin.end(), [](Origin origin) { return origin != Origin::own; }))
+  if (std::any_of(balls.source.begin(), balls.source.end(), [](Source source) { return source != Source::ball; }))
     normals = patch_normals(surface, execution);
-  const std::vector<char> is_smooth = smooth_sheets(surface, normals, noise, removes_bias, tensors, balls, execution);
+  const std::vector<char> is_smooth =
+      find_single_sheets(surface, normals, noise, removes_bias, tensors, balls, execution);
   const Creases creases = find_creases(surface, tensors, fits, noise, is_smooth, execution);
   give_up_creased_balls(creases, tensors.radii(), balls, execution);
   if (normals.empty() && !creases.is_crease.empty()) normals = patch_normals(surface, execution);
-  substitute_discs(surface, normals, noise, creases, removes_bias, tensors, balls, execution);
+  fall_back_to_jets(surface, normals, noise, creases, removes_bias, tensors, balls, execution);
   parallel_for(
       n, 2048, execution,
       [&](std::size_t begin, std::size_t end, int) {

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "integral_invariant/ball_curvature/tensor_field.h"
+#include "integral_invariant/mesh/surface.h"
 #include "integral_invariant/multiscale/noise_level.h"
 #include "integral_invariant/support/execution.h"
 #include "integral_invariant/support/symmetric3.h"
-#include "integral_invariant/mesh/surface.h"
 
 namespace integral_invariant {
 
 /// Where the tensor of a (vertex, scale) comes from. Doubted: from the ball, which another sheet may cut;
-/// find_whole_balls leaves none.
-enum class Origin : unsigned char { none, vertices, own, doubted };
+/// find_valid_scales leaves none.
+enum class Source : unsigned char { none, jet, ball, suspect };
 
 /// Share of its disc that a whole ball sees at least.
 constexpr double least_confidence = 0.95;
@@ -35,14 +35,14 @@ struct DiscVariance {
   float deviator() const { return (curvature[3] + curvature[5]) / 2; }  ///< of either component, on average
 };
 
-struct WholeBalls {
-  std::vector<Origin> origin;  ///< n × scales
+struct ValidScales {
+  std::vector<Source> source;  ///< n × scales
   std::vector<int> largest;    ///< n: the largest scale to be used
 
   /// \pre the origin is vertices
   const DiscVariance& variance(std::size_t vertex, std::size_t scale) const
   {
-    return variances[row[vertex] * (origin.size() / row.size()) + scale];
+    return variances[row[vertex] * (source.size() / row.size()) + scale];
   }
   std::vector<std::uint32_t> row;       ///< n, or empty where every ball is whole: place among those with discs
   std::vector<DiscVariance> variances;  ///< those × scales
@@ -56,8 +56,7 @@ struct WholeBalls {
 /// nearly a half: where |κ| r passes 1.3 or the normal turns away, because the ball meets another sheet or the whole of
 /// a small part; on a crease it is the smallest that noise leaves. Changes `tensors` where the origin is vertices. Cost
 /// O(n · scales), and 15 µs a vertex whose largest balls give way.
-WholeBalls find_whole_balls(const Surface& surface, const std::vector<float>& offsets,
-                            const std::vector<VertexFit>& fits, const Noise& noise, bool removes_bias,
-                            TensorField& tensors, Execution& execution);
+ValidScales find_valid_scales(const Surface& surface, const std::vector<float>& offsets, const std::vector<Jet>& fits,
+                              const NoiseLevel& noise, bool removes_bias, TensorField& tensors, Execution& execution);
 
 }  // namespace integral_invariant

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "integral_invariant/support/execution.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/support/execution.h"
 
 namespace integral_invariant {
 

@@ -51,10 +51,10 @@ class BlockQueue {
 };
 
 /// Workers that are joined on every way out.
-class Crew {
+class ThreadGroup {
  public:
-  explicit Crew(BlockQueue& queue) : queue_(queue) {}
-  ~Crew()
+  explicit ThreadGroup(BlockQueue& queue) : queue_(queue) {}
+  ~ThreadGroup()
   {
     queue_.stop();
     for (std::thread& thread : threads_) thread.join();
@@ -162,7 +162,7 @@ void parallel_for(std::size_t count, std::size_t grain, Execution& execution, co
   if (blocks == 1 || execution.threads() == 1) return serial();
   BlockQueue queue(count, grain);
   {
-    Crew crew(queue);
+    ThreadGroup crew(queue);
     if (crew.start(int(std::min<std::size_t>(blocks, std::size_t(execution.threads()))), body) == 0) return serial();
     while (!crew.wait_for(poll_interval)) execution.report(from + (to - from) * queue.fraction());
   }

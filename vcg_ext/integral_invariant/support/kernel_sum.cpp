@@ -43,7 +43,7 @@ class Numbering {
 
 }  // namespace
 
-GridPool::GridPool(const std::vector<Vec3>& places, double cell, Execution& execution)
+KernelSum::KernelSum(const std::vector<Vec3>& places, double cell, Execution& execution)
 {
   const auto scaled = [&](std::size_t v) { return places[v] * (1 / cell); };
   std::vector<std::uint64_t> keys;

@@ -14,15 +14,15 @@ namespace integral_invariant {
 /// Weighted sums over the places around each of a set of places, in time that does not depend on how many there are:
 /// values are shared out to the corners of a grid and read back from there, both trilinearly. The kernel reaches 2
 /// cells and has standard deviation 0.58 cells along each axis; its largest value is under 1.
-class GridPool {
+class KernelSum {
  public:
   /// Cost O(n), 16 bytes a place; the less the nearer consecutive places are.
-  GridPool(const std::vector<Vec3>& places, double cell, Execution& execution);
+  KernelSum(const std::vector<Vec3>& places, double cell, Execution& execution);
 
   /// Row v of `values` becomes Σ_u K(v, u) values[u], column by column. Cost O(n · columns), on all workers; the order
   /// of summation depends on the places alone. \throw Cancelled
   template <std::size_t columns>
-  void sum_around(std::vector<std::array<double, columns>>& values, Execution& execution) const
+  void splat_and_slice(std::vector<std::array<double, columns>>& values, Execution& execution) const
   {
     using Row = std::array<double, columns>;
     std::vector<std::array<Row, 8>> of_cell(cells_.size());

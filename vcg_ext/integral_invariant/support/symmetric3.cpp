@@ -6,12 +6,12 @@
 
 namespace integral_invariant {
 
-Eigen3 eigen_decomposition(const Symmetric3& s)
+EigenDecomposition3 eigen_decomposition(const Symmetric3& s)
 {
   Eigen::Matrix3d m;
   m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
-  Eigen3 result;
+  EigenDecomposition3 result;
   for (int i = 0; i < 3; ++i) {
     const auto v = solver.eigenvectors().col(i);
     result.values[i] = solver.eigenvalues()(i);
@@ -33,7 +33,7 @@ Symmetric3 adjugate_of_shifted(const Symmetric3& s, double shift)
 
 Vec3 best_aligned(const Symmetric3& s, const Vec3& guess)
 {
-  const Eigen3 eigen = eigen_decomposition(s);
+  const EigenDecomposition3 eigen = eigen_decomposition(s);
   Vec3 best = eigen.vectors[0];
   for (const Vec3& v : eigen.vectors)
     if (std::abs(dot(v, guess)) > std::abs(dot(best, guess))) best = v;

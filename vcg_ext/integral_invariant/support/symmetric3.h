@@ -48,11 +48,11 @@ inline Symmetric3 symmetric_outer(const Vec3& a, const Vec3& b)
 inline double quadratic_form(const Symmetric3& s, const Vec3& v) { return dot(v, s * v); }
 
 /// Eigenvalues in increasing order and their orthonormal eigenvectors.
-struct Eigen3 {
+struct EigenDecomposition3 {
   std::array<double, 3> values;
   std::array<Vec3, 3> vectors;
 };
-Eigen3 eigen_decomposition(const Symmetric3& s);
+EigenDecomposition3 eigen_decomposition(const Symmetric3& s);
 
 /// The unit eigenvector of `s` that is best aligned with the unit vector `guess`, signed to agree with it.
 /// A few steps of Rayleigh's quotient iteration from `guess`; where they do not lead to an eigenvector within

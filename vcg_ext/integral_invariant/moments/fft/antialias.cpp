@@ -21,13 +21,13 @@ void filter_rows(float* rows, std::size_t count, std::size_t length)
 
 }  // namespace
 
-double decimated_transfer(double k)
+double downsampling_transfer(double k)
 {
   const double x = k / 4, sinc = std::abs(x) < 1e-6 ? 1 : std::sin(x) / x;
   return sinc * std::cos(x) * std::cos(x) * std::cos(x);
 }
 
-void decimate(std::vector<float>& fine, const std::array<int, 3>& size, float* coarse, std::size_t row_stride)
+void downsample(std::vector<float>& fine, const std::array<int, 3>& size, float* coarse, std::size_t row_stride)
 {
   const std::size_t nx = std::size_t(size[0]), ny = std::size_t(size[1]), nz = std::size_t(size[2]);
   const std::size_t fine_y = std::size_t(fine_size(size[1])), fine_z = std::size_t(fine_size(size[2]));

@@ -15,10 +15,10 @@ namespace integral_invariant {
 inline int fine_size(int n) { return 2 * n + 2; }
 
 /// Transfer of fine cell average and filter along one axis at the angular frequency `k` (radians a coarse cell).
-double decimated_transfer(double k);
+double downsampling_transfer(double k);
 
 /// `fine` of fine_size() of each entry of `size`, without padding; overwritten. `coarse` with rows along z of
 /// `row_stride`, what is past a row's end becomes 0.
-void decimate(std::vector<float>& fine, const std::array<int, 3>& size, float* coarse, std::size_t row_stride);
+void downsample(std::vector<float>& fine, const std::array<int, 3>& size, float* coarse, std::size_t row_stride);
 
 }  // namespace integral_invariant

@@ -26,7 +26,7 @@ double frequency(int i, int n) { return 2 * pi * (2 * i <= n ? i : i - n) / n; }
 
 }  // namespace
 
-std::array<double, 3> ball_spectrum(double q)
+std::array<double, 3> radial_spectra(double q)
 {
   // Below 2 the closed forms lose up to q⁻⁶ to cancellation; there fourteen terms of the series are exact to 1e-16.
   if (q < 2) return {series(1, 1.0 / 3, q), series(2, 1.0 / 15, q), series(3, 1.0 / 105, q)};
@@ -35,7 +35,7 @@ std::array<double, 3> ball_spectrum(double q)
   return {4 * pi * j1 / q, 4 * pi * j2 / (q * q), 4 * pi * j3 / (q * q * q)};
 }
 
-BallKernel::BallKernel(const std::array<int, 3>& size, double radius) : size_(size)
+BallSpectrum::BallSpectrum(const std::array<int, 3>& size, double radius) : size_(size)
 {
   std::array<std::vector<double>, 3> correction;
   double samples = 1;
@@ -54,28 +54,29 @@ BallKernel::BallKernel(const std::array<int, 3>& size, double radius) : size_(si
     for (int j = 0; j < half_[1]; ++j)
       for (int l = 0; l < half_[2]; ++l) {
         const double kx = frequency(i, size[0]), ky = frequency(j, size[1]), kz = frequency(l, size[2]);
-        const auto [ball, first, second] = ball_spectrum(radius * std::sqrt(kx * kx + ky * ky + kz * kz));
+        const auto [ball, first, second] = radial_spectra(radius * std::sqrt(kx * kx + ky * ky + kz * kz));
         const double weight =
             correction[0][std::size_t(i)] * correction[1][std::size_t(j)] * correction[2][std::size_t(l)] / samples;
         radial_.push_back({float(r3 * ball * weight), float(r5 * first * weight), float(r7 * second * weight)});
       }
 }
 
-std::size_t BallKernel::bytes(const std::array<int, 3>& size)
+std::size_t BallSpectrum::bytes(const std::array<int, 3>& size)
 {
   std::size_t count = sizeof(Radial);
   for (const int n : size) count *= std::size_t(n) / 2 + 1;
   return count;
 }
 
-const BallKernel::Radial* BallKernel::row(int i, int j) const
+const BallSpectrum::Radial* BallSpectrum::row(int i, int j) const
 {
   const int fold_i = axes_[0].fold[std::size_t(i)], fold_j = axes_[1].fold[std::size_t(j)];
   return radial_.data() + (std::size_t(fold_i) * std::size_t(half_[1]) + std::size_t(fold_j)) * std::size_t(half_[2]);
 }
 
 template <class Factor>
-void BallKernel::multiply(const Factor& factor, const std::complex<float>* transform, std::complex<float>* result) const
+void BallSpectrum::multiply(const Factor& factor, const std::complex<float>* transform,
+                            std::complex<float>* result) const
 {
   const std::size_t length = std::size_t(half_[2]);
   const float* kz = axes_[2].k.data();
@@ -89,7 +90,7 @@ void BallKernel::multiply(const Factor& factor, const std::complex<float>* trans
     }
 }
 
-void BallKernel::apply(int moment, const std::complex<float>* transform, std::complex<float>* result) const
+void BallSpectrum::apply(int moment, const std::complex<float>* transform, std::complex<float>* result) const
 {
   using Value = std::complex<float>;
   const auto times_i = [](float f, const Value& v) { return Value(-f * v.imag(), f * v.real()); };

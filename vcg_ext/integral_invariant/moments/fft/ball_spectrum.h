@@ -16,14 +16,14 @@ inline constexpr int moment_count = 10;
 
 /// 4π j₁(q)/q, 4π j₂(q)/q², 4π j₃(q)/q³ with the spherical Bessel functions j: with q = k r, b(k) = r³·(first) is the
 /// transform of the ball's indicator, ∇b = −r⁵ k·(second), ∇∇b = −r⁵ I·(second) + r⁷ k kᵀ·(third).
-std::array<double, 3> ball_spectrum(double q);
+std::array<double, 3> radial_spectra(double q);
 
 /// The kernels of one radius for one size of transform. They correct, per axis, for what sampling by cell averages and
 /// reconstruction by cubic B-splines take away (spline.h), and for the transforms' missing 1/N.
-class BallKernel {
+class BallSpectrum {
  public:
   /// `radius` in cells. Cost: the radial functions at 1/8 of the frequencies, by symmetry.
-  BallKernel(const std::array<int, 3>& size, double radius);
+  BallSpectrum(const std::array<int, 3>& size, double radius);
 
   /// result = transform · conj(kernel of `moment`): a correlation, hence the moment about every cell centre, in cells.
   void apply(int moment, const std::complex<float>* transform, std::complex<float>* result) const;

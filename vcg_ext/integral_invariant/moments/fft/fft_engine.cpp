@@ -7,14 +7,14 @@
 #include <array>
 #include <sstream>
 
-#include "integral_invariant/moments/fft/ball_spectrum.h"
+#include "integral_invariant/error.h"
 #include "integral_invariant/moments/fft/antialias.h"
+#include "integral_invariant/moments/fft/ball_spectrum.h"
 #include "integral_invariant/moments/fft/fftw_plan.h"
-#include "integral_invariant/moments/fft/spline.h"
 #include "integral_invariant/moments/fft/scan_conversion.h"
+#include "integral_invariant/moments/fft/spline.h"
 #include "integral_invariant/moments/fft/tiling.h"
 #include "integral_invariant/moments/fft/workspace_pool.h"
-#include "integral_invariant/error.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
@@ -28,25 +28,25 @@ constexpr int slab_width = 16;
 constexpr std::size_t largest_carries = std::size_t(128) << 20;
 
 /// Bytes of the plane that holds what lies above one tile.
-std::size_t carry_bytes(const TileLayout& layout)
+std::size_t carry_bytes(const Tiling& layout)
 {
   return sizeof(float) * std::size_t(fine_size(layout.shape.size[0])) * std::size_t(fine_size(layout.shape.size[1]));
 }
 
 /// Bytes that a radius needs at the least: one worker, its kernels, the carry planes of the highest stack.
-double least_bytes(const TileLayout& layout)
+double least_bytes(const Tiling& layout)
 {
   std::size_t highest = 0;
   for (std::size_t s = 0; s < layout.stack_count(); ++s)
     highest = std::max(highest, layout.stack_start[s + 1] - layout.stack_start[s]);
-  return double(worker_bytes(layout.shape)) + double(BallKernel::bytes(layout.shape.size)) +
+  return double(worker_bytes(layout.shape)) + double(BallSpectrum::bytes(layout.shape.size)) +
          double(highest) * double(carry_bytes(layout));
 }
 
 /// Everything about one radius that its tiles share.
 class ScalePass {
  public:
-  ScalePass(const Surface& surface, const TileLayout& layout, int scale, const MomentSink& sink, Execution& execution)
+  ScalePass(const Surface& surface, const Tiling& layout, int scale, const MomentSink& sink, Execution& execution)
       : surface_(surface),
         layout_(layout),
         fine_grid_{layout.grid.origin, layout.grid.step / 2},
@@ -109,7 +109,7 @@ class ScalePass {
         tiles, 1, execution,
         [&](std::size_t from_tile, std::size_t to_tile, int) {
           for (std::size_t tile = from_tile; tile < to_tile; ++tile)
-            pool.lend([&](Workspace& workspace) { run_tile(begin + tile, workspace, check_if_alone); });
+            pool.with_workspace([&](Workspace& workspace) { run_tile(begin + tile, workspace, check_if_alone); });
         },
         from, to);
   }
@@ -150,7 +150,7 @@ class ScalePass {
     scan_convert(surface_, fine_grid_, box, triangles,
                  carry_of(tile) + 2 * std::size_t(offset) * std::size_t(box.size[1]), fine.data(),
                  std::size_t(box.size[2]));
-    decimate(fine, size, buffer.reals() + std::size_t(offset) * rows_ * row_stride_, row_stride_);
+    downsample(fine, size, buffer.reals() + std::size_t(offset) * rows_ * row_stride_, row_stride_);
   }
 
   /// One of the ten: product, inverse transform, values at the tile's vertices.
@@ -235,12 +235,12 @@ class ScalePass {
   }
 
   const Surface& surface_;
-  const TileLayout& layout_;
+  const Tiling& layout_;
   const VoxelGrid fine_grid_;
   const int scale_;
   const MomentSink& sink_;
   const RealTransform transform_;
-  const BallKernel kernel_;
+  const BallSpectrum kernel_;
   const IndexLists triangles_, stack_triangles_;
   std::size_t first_carried_ = 0;  ///< the tile whose plane carries_ begins with
   std::vector<float> carries_;
@@ -259,9 +259,9 @@ class FftEngine : public MomentEngine {
 
   void evaluate(const std::vector<double>& radii, const MomentSink& sink, Execution& execution) const override
   {
-    const std::vector<TileLayout> layouts = make_layouts(radii, execution);
+    const std::vector<Tiling> layouts = make_layouts(radii, execution);
     double total = 0, done = 0;
-    for (const TileLayout& layout : layouts) {
+    for (const Tiling& layout : layouts) {
       total += layout.shape.cost;
       require_memory(least_bytes(layout), memory_limit_mb_,
                      "The voxel grid (" + std::to_string(layout.tiles.size()) + " tiles)",
@@ -280,18 +280,18 @@ class FftEngine : public MomentEngine {
   {
     std::ostringstream text;
     text << "voxel FFT, " << cells_per_radius_ << " cells per radius; transforms per scale:";
-    for (const TileLayout& layout : make_layouts(radii, execution))
+    for (const Tiling& layout : make_layouts(radii, execution))
       text << ' ' << layout.tiles.size() << " x " << moment_count + 1 << " of " << layout.shape.size[0] << 'x'
            << layout.shape.size[1] << 'x' << layout.shape.size[2] << ';';
     return text.str();
   }
 
  private:
-  std::vector<TileLayout> make_layouts(const std::vector<double>& radii, Execution& execution) const
+  std::vector<Tiling> make_layouts(const std::vector<double>& radii, Execution& execution) const
   {
-    std::vector<TileLayout> layouts;
+    std::vector<Tiling> layouts;
     for (const double radius : radii)
-      layouts.push_back(make_tile_layout(surface_, radius, cells_per_radius_, memory_ / 2, execution));
+      layouts.push_back(make_tiling(surface_, radius, cells_per_radius_, memory_ / 2, execution));
     return layouts;
   }
 

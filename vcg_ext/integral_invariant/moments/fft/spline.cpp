@@ -16,7 +16,7 @@ double sampling_correction(double k)
   // Near |k| = π the samples are as much alias as signal: let the band end smoothly there, with a double zero, so that
   // the kernels ring little beyond the ball. Lower powers cost accuracy at edges, higher ones on smooth surfaces.
   const double end = 1 - std::pow(k / pi, 6), taper = end * end;
-  return taper * prefilter / decimated_transfer(k);
+  return taper * prefilter / downsampling_transfer(k);
 }
 
 SplineWeights spline_weights(const Vec3& position, std::size_t rows, std::size_t row_stride)

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integral_invariant/error.h"
 #include "integral_invariant/moments/fft/ball_spectrum.h"
 #include "integral_invariant/moments/fft/fftw_plan.h"
 #include "integral_invariant/moments/fft/spline.h"
-#include "integral_invariant/error.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
@@ -160,8 +160,8 @@ TileShape cheapest_shape(const Surface& surface, const VoxelGrid& grid, const Ex
 /// Calls visit(row) for the rows that a triangle touches, rows being tiles or stacks in lexicographic order. `axes` is
 /// 3 for tiles, 2 for stacks.
 template <class Visitor>
-void for_each_row(const Surface& surface, const TileLayout& layout, const std::vector<TileIndex>& rows,
-                  std::size_t axes, const Triangle& triangle, const Visitor& visit)
+void for_each_row(const Surface& surface, const Tiling& layout, const std::vector<TileIndex>& rows, std::size_t axes,
+                  const Triangle& triangle, const Visitor& visit)
 {
   TileIndex first{}, last{};
   double candidates = 1;
@@ -197,7 +197,7 @@ void for_each_row(const Surface& surface, const TileLayout& layout, const std::v
     }
 }
 
-IndexLists list_triangles(const Surface& surface, const TileLayout& layout, const std::vector<TileIndex>& rows,
+IndexLists list_triangles(const Surface& surface, const Tiling& layout, const std::vector<TileIndex>& rows,
                           std::size_t axes, Execution& execution)
 {
   IndexLists lists;
@@ -216,7 +216,7 @@ IndexLists list_triangles(const Surface& surface, const TileLayout& layout, cons
   return lists;
 }
 
-IndexLists list_vertices(const Surface& surface, const TileLayout& layout, Execution& execution)
+IndexLists list_vertices(const Surface& surface, const Tiling& layout, Execution& execution)
 {
   std::vector<std::uint32_t> tile(surface.vertex_count());
   IndexLists lists;
@@ -240,7 +240,7 @@ IndexLists list_vertices(const Surface& surface, const TileLayout& layout, Execu
 
 std::size_t worker_bytes(const TileShape& shape) { return 2 * FftBuffer::bytes(shape.size); }
 
-CellBox TileLayout::box(std::size_t tile) const
+CellBox Tiling::box(std::size_t tile) const
 {
   CellBox box;
   for (std::size_t a = 0; a < 3; ++a) box.begin[a] = tiles[tile][a] * shape.inner[a] - shape.margin[a];
@@ -248,8 +248,8 @@ CellBox TileLayout::box(std::size_t tile) const
   return box;
 }
 
-TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit,
-                            Execution& execution)
+Tiling make_tiling(const Surface& surface, double radius, double cells_per_radius, std::size_t limit,
+                   Execution& execution)
 {
   // Cells grow with the inverse square of the radius, and under it a ball sees a single triangle.
   constexpr double smallest_radius = 0.1;
@@ -257,7 +257,7 @@ TileLayout make_tile_layout(const Surface& surface, double radius, double cells_
     throw ParameterError(
         "The smallest radius is under a tenth of the average edge length, which the voxel engine's grid cannot "
         "resolve at a bearable cost. Raise r_min (or radius), or use the surface integral engine.");
-  TileLayout layout;
+  Tiling layout;
   const Box bounds = bounds_of(surface, execution);
   layout.grid = {bounds.low, radius / cells_per_radius};
   layout.radius_cells = cells_per_radius;
@@ -273,12 +273,12 @@ TileLayout make_tile_layout(const Surface& surface, double radius, double cells_
   return layout;
 }
 
-IndexLists tile_triangles(const Surface& surface, const TileLayout& layout, Execution& execution)
+IndexLists tile_triangles(const Surface& surface, const Tiling& layout, Execution& execution)
 {
   return list_triangles(surface, layout, layout.tiles, 3, execution);
 }
 
-IndexLists stack_triangles(const Surface& surface, const TileLayout& layout, Execution& execution)
+IndexLists stack_triangles(const Surface& surface, const Tiling& layout, Execution& execution)
 {
   std::vector<TileIndex> stacks;
   for (std::size_t s = 0; s < layout.stack_count(); ++s) {

@@ -35,7 +35,7 @@ struct TileShape {
 using TileIndex = std::array<std::int64_t, 3>;
 
 /// The tiles that hold vertices, in lexicographic order; those that share x and y are a stack.
-struct TileLayout {
+struct Tiling {
   VoxelGrid grid;
   double radius_cells = 0;
   TileShape shape;
@@ -53,11 +53,11 @@ std::size_t worker_bytes(const TileShape& shape);
 /// The cheapest tiles whose worker_bytes() do not exceed `limit`. `cells_per_radius` is radius over grid step.
 /// \throw Cancelled, or MemoryError where the smallest exceed it, or where the grid has more than 2^30 cells along an
 /// axis
-TileLayout make_tile_layout(const Surface& surface, double radius, double cells_per_radius, std::size_t limit,
-                            Execution& execution);
+Tiling make_tiling(const Surface& surface, double radius, double cells_per_radius, std::size_t limit,
+                   Execution& execution);
 
 /// Triangles that touch each tile's box, and those that touch each stack's columns.
-IndexLists tile_triangles(const Surface& surface, const TileLayout& layout, Execution& execution);
-IndexLists stack_triangles(const Surface& surface, const TileLayout& layout, Execution& execution);
+IndexLists tile_triangles(const Surface& surface, const Tiling& layout, Execution& execution);
+IndexLists stack_triangles(const Surface& surface, const Tiling& layout, Execution& execution);
 
 }  // namespace integral_invariant

@@ -33,20 +33,20 @@ class WorkspacePool {
 
   /// Calls `use` with a workspace that no other thread has.
   template <class Use>
-  void lend(const Use& use)
+  void with_workspace(const Use& use)
   {
-    Workspace* workspace = take();
+    Workspace* workspace = acquire();
     try {
       use(*workspace);
     } catch (...) {
-      give(workspace);
+      release(workspace);
       throw;
     }
-    give(workspace);
+    release(workspace);
   }
 
  private:
-  Workspace* take()
+  Workspace* acquire()
   {
     std::unique_lock lock(mutex_);
     freed_.wait(lock, [this] { return !free_.empty(); });
@@ -54,7 +54,7 @@ class WorkspacePool {
     free_.pop_back();
     return workspace;
   }
-  void give(Workspace* workspace)
+  void release(Workspace* workspace)
   {
     const std::lock_guard lock(mutex_);
     free_.push_back(workspace);

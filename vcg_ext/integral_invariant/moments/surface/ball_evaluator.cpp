@@ -38,7 +38,7 @@ void BallEvaluator::tabulate_scales()
       }
 }
 
-const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& near, Vicinity& vicinity,
+const std::vector<BallMoments>& BallEvaluator::evaluate(const InteractionList& near, CulledInteractions& vicinity,
                                                         std::uint32_t centre, const Vec3& normal, bool is_border)
 {
   clear();
@@ -58,7 +58,7 @@ const std::vector<BallMoments>& BallEvaluator::evaluate(const Neighbourhood& nea
   for (std::uint32_t k = 0; k < cut_scales_; ++k) add_listed_corners(near, k);
   if (cut_scales_ < scales_) add_rim(near);
   for (const std::uint32_t i : vicinity.large()) add_large(near.corners[i], near.longest_edges[i]);
-  add_free_edges(near);
+  add_boundary_edges(near);
   finish();
   return moments_;
 }
@@ -75,7 +75,7 @@ void BallEvaluator::clear()
   gap_angle_ = 0;
 }
 
-void BallEvaluator::find_triangle_scales(const Neighbourhood& near, const Vicinity& vicinity)
+void BallEvaluator::find_triangle_scales(const InteractionList& near, const CulledInteractions& vicinity)
 {
   if (touched_.size() <= near.corners.size()) touched_.resize(near.corners.size() + 1);
   if (outermost_.size() < near.corners.size()) outermost_.resize(near.corners.size());
@@ -131,14 +131,14 @@ void BallEvaluator::sort_triangles()
   }
 }
 
-void BallEvaluator::add_whole_triangles(const Neighbourhood& near)
+void BallEvaluator::add_whole_triangles(const InteractionList& near)
 {
   // From its second vertex's scale on a triangle counts as whole, less the corner that is still outside.
   for (std::uint32_t k = 0; k < scales_; ++k)
     shells_[k] += whole_triangles(near.triangles.data(), whole_[k].data(), whole_count_[k], centre_);
 }
 
-void BallEvaluator::add_listed_corners(const Neighbourhood& near, std::uint32_t k)
+void BallEvaluator::add_listed_corners(const InteractionList& near, std::uint32_t k)
 {
   const LocalCorner* list = corners_[k].data();
   for (std::uint32_t i = 0; i < corner_count_[k]; ++i) {
@@ -154,7 +154,7 @@ void BallEvaluator::add_listed_corners(const Neighbourhood& near, std::uint32_t 
   }
 }
 
-void BallEvaluator::add_rim(const Neighbourhood& near)
+void BallEvaluator::add_rim(const InteractionList& near)
 {
   // Triangles with a vertex beyond the rim are left out. Where two of their vertices are inside, the edge between these
   // bounds what is left, or cancels against the same edge of the triangle next to it.
@@ -165,10 +165,10 @@ void BallEvaluator::add_rim(const Neighbourhood& near)
     if (!corner.is_outside()) continue;
     const std::uint32_t* ring = near.corners[corner.triangle()].ring.data() + corner.vertex();
     rim_list_.push_back(corner.triangle());
-    rim_arcs_.push(near.point(ring[2]), near.point(ring[1]));
-    if (rim_arcs_.is_full()) rim_arcs_.add_to(cut_arcs_[rim], centre_, pole_);
+    arc_batch_.push(near.point(ring[2]), near.point(ring[1]));
+    if (arc_batch_.is_full()) arc_batch_.add_to(cut_arcs_[rim], centre_, pole_);
   }
-  rim_arcs_.add_to(cut_arcs_[rim], centre_, pole_);
+  arc_batch_.add_to(cut_arcs_[rim], centre_, pole_);
   cuts_[rim].moments = whole_triangles(near.triangles.data(), rim_list_.data(), rim_list_.size(), centre_) * -1.0;
 }
 
@@ -204,8 +204,8 @@ void BallEvaluator::add_large(const LocalCorners& corners, double longest_edge)
 void BallEvaluator::finish()
 {
   moments_.resize(scales_);
-  MomentSums inside;
-  MissingSurface missing;
+  SolidMoments inside;
+  MissingArea missing;
   ArcSums arcs;
   for (std::uint32_t k = 0; k < scales_; ++k) {
     inside += shells_[k];
@@ -214,7 +214,7 @@ void BallEvaluator::finish()
     all += cut_arcs_[k];
     missing += shell_missing_[k];
     moments_[k] = ball_moments(inside + cuts_[k].moments, all.terms(), all.half_area() + cuts_[k].half_area, radii_[k]);
-    MissingSurface all_missing = missing;
+    MissingArea all_missing = missing;
     all_missing += cut_missing_[k];
     moments_[k].confidence = confidence(all_missing, squared_radii_[k]);
   }

@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "integral_invariant/moments/surface/spherical_region.h"
-#include "integral_invariant/moments/surface/kernels/clip.h"
 #include "integral_invariant/moments/surface/coverage.h"
-#include "integral_invariant/moments/surface/interaction_list.h"
-#include "integral_invariant/moments/surface/kernels/arcs.h"
 #include "integral_invariant/moments/surface/fan_closure.h"
 #include "integral_invariant/moments/surface/interaction_culling.h"
+#include "integral_invariant/moments/surface/interaction_list.h"
+#include "integral_invariant/moments/surface/kernels/arcs.h"
+#include "integral_invariant/moments/surface/kernels/clip.h"
+#include "integral_invariant/moments/surface/spherical_region.h"
 
 namespace integral_invariant {
 
@@ -57,8 +57,8 @@ class BallEvaluator {
 
   /// Moments of the balls about local point `centre` at every scale; `normal` is about the surface's there (unit).
   /// `vicinity` has been narrowed to points that `centre` is one of.
-  const std::vector<BallMoments>& evaluate(const Neighbourhood& near, Vicinity& vicinity, std::uint32_t centre,
-                                           const Vec3& normal, bool is_border);
+  const std::vector<BallMoments>& evaluate(const InteractionList& near, CulledInteractions& vicinity,
+                                           std::uint32_t centre, const Vec3& normal, bool is_border);
 
   /// Of the last evaluation: its outcome.
   const std::vector<BallMoments>& moments() const { return moments_; }
@@ -67,24 +67,24 @@ class BallEvaluator {
   const std::vector<std::uint8_t>& outermost_scales() const { return outermost_; }
   /// With a rim: moments of the cones from the centre to the triangles whose vertices are all within it. The last
   /// moments of evaluate() are those of the ball if the surface went on from there by rays away from the centre.
-  const MomentSums& rim_cones() const { return rim_cones_; }
+  const SolidMoments& rim_cones() const { return rim_cones_; }
   /// Angle of the gaps in the fan at the centre, for the largest radius.
   double gap_angle() const { return gap_angle_; }
 
  private:
   void clear();
-  void add_rim(const Neighbourhood& near);
-  void keep_own_sheet(const Neighbourhood& near, std::uint32_t centre);
+  void add_rim(const InteractionList& near);
+  void keep_own_sheet(const InteractionList& near, std::uint32_t centre);
   void tabulate_scales();
-  void find_triangle_scales(const Neighbourhood& near, const Vicinity& vicinity);
+  void find_triangle_scales(const InteractionList& near, const CulledInteractions& vicinity);
   void sort_triangles();
-  void add_whole_triangles(const Neighbourhood& near);
-  void add_listed_corners(const Neighbourhood& near, std::uint32_t scale);
+  void add_whole_triangles(const InteractionList& near);
+  void add_listed_corners(const InteractionList& near, std::uint32_t scale);
   void add_curved_corner(const LocalCorners& corners, LocalCorner corner, std::uint32_t scale);
   void add_large(const LocalCorners& corners, double longest_edge);
-  void add_free_edges(const Neighbourhood& near);
-  void add_free_edge(const LocalFreeEdge& edge);
-  void add_ray(const LocalFreeEdge& edge);
+  void add_boundary_edges(const InteractionList& near);
+  void add_boundary_edge(const LocalBoundaryEdge& edge);
+  void add_ray(const LocalBoundaryEdge& edge);
   void close_surface();
   bool touches_centre(const std::array<Vec3, 3>& triangle) const;
   void finish();
@@ -98,7 +98,7 @@ class BallEvaluator {
   const bool same_sheet_;
   std::vector<std::vector<std::uint32_t>> queue_;    ///< same_sheet: points found, per scale
   std::vector<std::uint8_t> own_scale_, rim_scale_;  ///< same_sheet: first scale that reaches a point, or its ring
-  const Neighbourhood* near_ = nullptr;
+  const InteractionList* near_ = nullptr;
   Vec3 pole_, centre_;
   std::vector<std::uint8_t> scale_of_;        ///< per local point: the first scale whose ball holds it
   std::vector<std::uint8_t> outermost_;       ///< per triangle
@@ -107,20 +107,20 @@ class BallEvaluator {
   std::size_t touched_count_ = 0;
   std::vector<std::vector<std::uint32_t>> whole_;  ///< per scale: triangles whose second vertex is inside from it on
   std::vector<std::uint32_t> whole_count_;
-  std::vector<MomentSums> shells_;                 ///< whole triangles, by the first scale that holds them
+  std::vector<SolidMoments> shells_;               ///< whole triangles, by the first scale that holds them
   std::vector<std::vector<LocalCorner>> corners_;  ///< per scale: what its sphere cuts off
   std::vector<std::uint32_t> corner_count_;
   CornerBatch batch_;
   std::vector<CornerSums> cuts_;  ///< per scale: what belongs to that scale alone
   std::vector<ArcSums> shell_arcs_, cut_arcs_;
-  RimArcs rim_arcs_;
+  ArcBatch arc_batch_;
   std::vector<std::uint32_t> rim_list_;
-  MomentSums rim_cones_;
+  SolidMoments rim_cones_;
   double gap_angle_ = 0;
   bool is_border_ = false;
   Vec3 normal_;
   std::vector<std::pair<FanRay, std::uint32_t>> rays_;  ///< and the first scale at which the ray's edge is inside
-  std::vector<MissingSurface> shell_missing_, cut_missing_;
+  std::vector<MissingArea> shell_missing_, cut_missing_;
   std::vector<BallMoments> moments_;
 };
 

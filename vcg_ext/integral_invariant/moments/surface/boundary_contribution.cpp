@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surface engine: what free edges add to the balls about one point, and the point's own sheet.
+// Surface engine: what boundary edges add to the balls about one point, and the point's own sheet.
 //
 // Where the surface ends inside the ball it is continued by rays away from the centre: such a wall has no flux, and on
 // the sphere its trace is the edge's projection. At the centre itself the tangent plane closes the fan.
@@ -11,25 +11,25 @@
 
 namespace integral_invariant {
 
-void BallEvaluator::add_free_edges(const Neighbourhood& near)
+void BallEvaluator::add_boundary_edges(const InteractionList& near)
 {
-  for (const LocalFreeEdge& edge : near.close_free_edges) {
+  for (const LocalBoundaryEdge& edge : near.close_boundary_edges) {
     const Vec3 a = point(edge.from), b = point(edge.to);
     if (squared_norm(a) == 0 || squared_norm(b) == 0 || (is_border_ && passes_origin(a, b)))
       add_ray(edge);
     else if (edge.stands_for > 0 && std::min(scale_of_[edge.from], scale_of_[edge.to]) < scales_)
-      add_free_edge(edge);
+      add_boundary_edge(edge);
   }
   if (!rays_.empty()) close_surface();
 }
 
-void BallEvaluator::add_free_edge(const LocalFreeEdge& edge)
+void BallEvaluator::add_boundary_edge(const LocalBoundaryEdge& edge)
 {
   const Vec3 a = point(edge.from), b = point(edge.to);
   const std::uint32_t from = scale_of_[edge.from], to = scale_of_[edge.to];
-  const double sign = free_edge_side(edge.surplus, a, b, point(edge.opposite)) * edge.stands_for;
+  const double sign = boundary_side(edge.surplus, a, b, point(edge.opposite)) * edge.stands_for;
   const double times = double(edge.surplus) * edge.stands_for;
-  const auto add = [&](const Vec3& start, const Vec3& end, ArcSums& arcs, MissingSurface& missing) {
+  const auto add = [&](const Vec3& start, const Vec3& end, ArcSums& arcs, MissingArea& missing) {
     arcs.add(normalized(start), normalized(end), times, pole_);
     missing.add(start, end, sign);
   };
@@ -42,7 +42,7 @@ void BallEvaluator::add_free_edge(const LocalFreeEdge& edge)
   if (whole < scales_) add(a, b, shell_arcs_[whole], shell_missing_[whole]);
 }
 
-void BallEvaluator::add_ray(const LocalFreeEdge& edge)
+void BallEvaluator::add_ray(const LocalBoundaryEdge& edge)
 {
   const Vec3 a = point(edge.from), b = point(edge.to);
   const std::uint32_t first = std::min(scale_of_[edge.from], scale_of_[edge.to]);
@@ -76,7 +76,7 @@ bool BallEvaluator::touches_centre(const std::array<Vec3, 3>& t) const
   return true;
 }
 
-void BallEvaluator::keep_own_sheet(const Neighbourhood& near, std::uint32_t centre)
+void BallEvaluator::keep_own_sheet(const InteractionList& near, std::uint32_t centre)
 {
   // A point is reached at the largest scale that any path to it along edges needs, over the path that needs least.
   own_scale_.assign(scale_of_.size(), std::uint8_t(scales_));

@@ -22,7 +22,7 @@ Sphere bounding_sphere(const Sphere* spheres, std::size_t count)
   return bound;
 }
 
-void SphereTree::add_level()
+void BoundingTree::add_level()
 {
   const std::vector<Sphere>& below = levels_.back();
   std::vector<Sphere> level;

@@ -21,14 +21,14 @@ Sphere bounding_sphere(const Sphere* spheres, std::size_t count);
 
 /// Leaves hold `leaf_size` consecutive items, nodes `fan_out` consecutive nodes of the level below; level 0 are the
 /// leaves.
-class SphereTree {
+class BoundingTree {
  public:
   static constexpr std::size_t leaf_size = 8, fan_out = 4;
 
-  SphereTree() = default;
+  BoundingTree() = default;
   /// `item_sphere(i)` bounds item i; called from several threads. Cost O(count).
   template <class ItemSphere>
-  SphereTree(std::size_t count, const ItemSphere& item_sphere, Execution& execution) : count_(count)
+  BoundingTree(std::size_t count, const ItemSphere& item_sphere, Execution& execution) : count_(count)
   {
     levels_.emplace_back((count + leaf_size - 1) / leaf_size);
     parallel_step(levels_[0].size(), 1024, execution, [&](std::size_t begin, std::size_t end, int) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surface engine: how much of a flat disc is missing where free edges pass within a ball.
+// Surface engine: how much of a flat disc is missing where boundary edges pass within a ball.
 #include "integral_invariant/moments/surface/coverage.h"
 
 #include <algorithm>
@@ -15,19 +15,19 @@ double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(norm(cros
 
 }  // namespace
 
-void MissingSurface::add(const Vec3& start, const Vec3& end, double sign)
+void MissingArea::add(const Vec3& start, const Vec3& end, double sign)
 {
   const double seen = sign * angle_between(start, end);
   angle += seen;
   moment += seen * 0.25 * squared_norm(start + end);
 }
 
-double confidence(const MissingSurface& missing, double squared_radius)
+double confidence(const MissingArea& missing, double squared_radius)
 {
   return std::clamp(1 - (squared_radius * missing.angle - missing.moment) / (2 * pi * squared_radius), 0.0, 1.0);
 }
 
-double free_edge_side(std::int32_t surplus, const Vec3& a, const Vec3& b, const Vec3& opposite)
+double boundary_side(std::int32_t surplus, const Vec3& a, const Vec3& b, const Vec3& opposite)
 {
   if (surplus > 1) return 1;
   const Vec3 e = b - a, inward = (opposite - a) - e * (dot(opposite - a, e) / std::max(squared_norm(e), 1e-300));

@@ -9,7 +9,7 @@
 
 namespace integral_invariant {
 
-/// An end of the surface at a vertex: a free edge that leads to it (`arriving`) or away from it.
+/// An end of the surface at a vertex: a boundary edge that leads to it (`arriving`) or away from it.
 struct FanRay {
   Vec3 direction;  ///< unit, from the vertex
   bool arriving;

@@ -18,7 +18,7 @@ constexpr std::uint32_t none = ~0u;
 constexpr std::uint8_t no_shell = 255;
 
 /// c₀, c₁, c₂ for the moments of degree 0, 1, 2.
-MomentSums scaled(const MomentSums& m, double c0, double c1, double c2)
+SolidMoments scaled(const SolidMoments& m, double c0, double c1, double c2)
 {
   return {m.volume * c0, m.first * c1, m.second * c2};
 }
@@ -57,7 +57,7 @@ FarField::FarField(const SurfaceTree& tree, const ScaleSplit& split, const FarDe
   for (const double r : radii_) squared_radii_.push_back(r * r);
 }
 
-void FarField::enter(const Neighbourhood& near)
+void FarField::enter(const InteractionList& near)
 {
   near_ = &near;
   far_.gather(near);
@@ -105,8 +105,8 @@ const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluato
   sort_clusters(apex);
 
   // total = cones within the rim + the rest of the rim's ball, grown to r + annulus.
-  const MomentSums& cones = evaluator.rim_cones();
-  const MomentSums sector = MomentSums{rim_moments.volume, rim_moments.first, rim_moments.second} - cones;
+  const SolidMoments& cones = evaluator.rim_cones();
+  const SolidMoments sector = SolidMoments{rim_moments.volume, rim_moments.first, rim_moments.second} - cones;
   FluxSums annulus;
   moments_.resize(radii_.size() - 1);
   for (std::size_t k = 1; k < radii_.size(); ++k) {
@@ -115,8 +115,8 @@ const std::vector<BallMoments>& FarField::evaluate(const BallEvaluator& evaluato
                        radii_[k - 1] < detail_.shape ? FluxSums::Shape::own : FluxSums::Shape::none);
     annulus.add_clusters(far_.clusters(), clusters_in_[k].data(), cluster_count_[k], shell);
     const double r = radii_[k], r3 = r * r * r, grown = r / radii_[0], grown3 = grown * grown * grown;
-    MomentSums total = cones + scaled(sector, grown3, grown3 * grown, grown3 * grown * grown) +
-                       scaled(annulus.up_to(r), 1.0 / 3, 0.25, 0.2);
+    SolidMoments total = cones + scaled(sector, grown3, grown3 * grown, grown3 * grown * grown) +
+                         scaled(annulus.up_to(r), 1.0 / 3, 0.25, 0.2);
     if (r < detail_.kink)
       total += kink_at(r, apex, far_.points(), weights_.data(), points_at_[k].data(), kink_count_[k]);
     moments_[k - 1] = {std::clamp(total.volume, 0.0, 4 * pi / 3 * r3), total.first, total.second, 1};
@@ -149,11 +149,11 @@ void FarField::sort_leaves(const std::vector<std::uint8_t>& outermost_scales, co
 }
 
 /// Writes the leaves that begin in shell k or before and reach as far as shell `reached`; returns how many.
-std::uint32_t FarField::list_leaves(std::size_t k, std::size_t reached, std::vector<WeighedGroup>& list) const
+std::uint32_t FarField::list_leaves(std::size_t k, std::size_t reached, std::vector<WeightedPacket>& list) const
 {
   if (list.size() <= leaves_.size()) list.resize(leaves_.size() + 1);
   // Written in any case and counted where it applies.
-  WeighedGroup* end = list.data();
+  WeightedPacket* end = list.data();
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
     *end = {leaves_[i], weights_of_[i]};
     end += (least_[i] <= k) & (reached <= largest_[i]);
@@ -166,7 +166,7 @@ std::uint32_t FarField::weigh_rim_leaf(std::uint32_t i, const std::vector<std::u
                                        const Vec3& centre)
 {
   const std::uint32_t near_leaf = far_.near_leaf(leaves_[i]);
-  if (near_leaf == FarPoints::no_leaf) {
+  if (near_leaf == FarFieldSources::no_leaf) {
     // It touches the rim to the last bits.
     const Vec3 middle{triangle_spheres_.x[i], triangle_spheres_.y[i], triangle_spheres_.z[i]};
     return squared_norm(middle - centre) < squared_radii_[0] ? none : 0;
@@ -202,20 +202,20 @@ void FarField::sort_clusters(const Vec3& centre)
 
 void FarField::find_confidence(const Vec3& centre, double gap_angle, bool is_border)
 {
-  if (near_->free_edges.empty()) return;
+  if (near_->boundary_edges.empty()) return;
   missing_.assign(radii_.size(), {gap_angle, 0});
-  for (const LocalFreeEdge& edge : near_->free_edges) {
+  for (const LocalBoundaryEdge& edge : near_->boundary_edges) {
     if (edge.stands_for == 0) continue;
     Vec3 a = near_->point(edge.from) - centre, b = near_->point(edge.to) - centre;
     double nearer = squared_norm(a), farther = squared_norm(b);
     if (std::min(nearer, farther) > squared_radii_.back()) continue;
     if (nearer == 0 || farther == 0 || (is_border && passes_origin(a, b))) continue;
-    const double sign = free_edge_side(edge.surplus, a, b, near_->point(edge.opposite) - centre) * edge.stands_for;
+    const double sign = boundary_side(edge.surplus, a, b, near_->point(edge.opposite) - centre) * edge.stands_for;
     if (nearer > farther) {
       std::swap(a, b);
       std::swap(nearer, farther);
     }
-    MissingSurface whole;
+    MissingArea whole;
     bool has_whole = false;
     for (std::size_t k = 1; k < radii_.size(); ++k) {
       if (nearer > squared_radii_[k]) continue;

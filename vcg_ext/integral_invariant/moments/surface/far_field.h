@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "integral_invariant/moments/surface/ball_evaluator.h"
-#include "integral_invariant/moments/surface/far_field_sources.h"
 #include "integral_invariant/moments/surface/coverage.h"
+#include "integral_invariant/moments/surface/far_field_sources.h"
 
 namespace integral_invariant {
 
@@ -35,7 +35,7 @@ class FarField {
   FarField(const SurfaceTree& tree, const ScaleSplit& split, const FarDetail& detail);
 
   /// To another block.
-  void enter(const Neighbourhood& near);
+  void enter(const InteractionList& near);
   /// To its points [begin, end), which should lie close together.
   void narrow(std::uint32_t begin, std::uint32_t end);
   /// Moments at the far radii about `centre`, one of these points, for which `evaluator` has just been run with
@@ -49,7 +49,7 @@ class FarField {
   /// Fills least_ and largest_.
   void find_ranges(const SphereColumns& spheres, const Vec3& centre, double extent);
   void sort_leaves(const std::vector<std::uint8_t>& outermost_scales, const Vec3& centre);
-  std::uint32_t list_leaves(std::size_t k, std::size_t reached, std::vector<WeighedGroup>& list) const;
+  std::uint32_t list_leaves(std::size_t k, std::size_t reached, std::vector<WeightedPacket>& list) const;
   std::uint32_t weigh_rim_leaf(std::uint32_t i, const std::vector<std::uint8_t>& outermost_scales, const Vec3& centre);
   void sort_clusters(const Vec3& centre);
   void find_confidence(const Vec3& centre, double gap_angle, bool is_border);
@@ -58,18 +58,18 @@ class FarField {
   const FarDetail detail_;
   std::vector<double> squared_radii_;
   const std::uint8_t outside_;  ///< first scale of points beyond the rim
-  const Neighbourhood* near_ = nullptr;
-  FarPoints far_;
+  const InteractionList* near_ = nullptr;
+  FarFieldSources far_;
   std::vector<std::uint32_t> leaves_, clusters_;  ///< of the block, that the narrowed points' balls need
   std::size_t rim_leaves_ = 0;                    ///< how many of these leaves, the first ones, a rim may cut
   SphereColumns point_spheres_, triangle_spheres_, cluster_spheres_;  ///< of these; of the first ones' triangles
   std::vector<LaneWeights> weights_;       ///< ones, then those of the leaves that the rim cuts
   std::vector<std::uint32_t> weights_of_;  ///< of each leaf
   std::vector<std::uint8_t> least_, largest_, least_side_, largest_side_;  ///< scales; sides of the rim
-  std::vector<std::vector<WeighedGroup>> points_in_, points_at_;           ///< per shell; per sphere that ends one
+  std::vector<std::vector<WeightedPacket>> points_in_, points_at_;         ///< per shell; per sphere that ends one
   std::vector<std::vector<std::uint32_t>> clusters_in_;
   std::vector<std::uint32_t> point_count_, kink_count_, cluster_count_;  ///< of them that are valid
-  std::vector<MissingSurface> missing_;
+  std::vector<MissingArea> missing_;
   std::vector<BallMoments> moments_;
 };
 

@@ -10,7 +10,7 @@ namespace integral_invariant {
 namespace {
 
 constexpr std::size_t lanes = kernel_lanes;
-static_assert(SphereTree::leaf_size == lanes, "a leaf's triangles are the lanes of one group");
+static_assert(BoundingTree::leaf_size == lanes, "a leaf's triangles are the lanes of one group");
 
 /// Largest radius of a node, in distances, that counts by one point (measured: docs/surface_engine.md).
 constexpr double cluster_ratio = 0.12;
@@ -24,7 +24,7 @@ double longest_edge(const std::array<Vec3, 3>& v)
 
 }  // namespace
 
-void FarPoints::gather(const Neighbourhood& near)
+void FarFieldSources::gather(const InteractionList& near)
 {
   centre_ = near.centre;
   radius_ = near.radius;
@@ -57,11 +57,11 @@ void FarPoints::gather(const Neighbourhood& near)
   cluster_spheres_.pad();
 }
 
-void FarPoints::add_cluster(std::size_t level, std::size_t index, const Sphere& sphere)
+void FarFieldSources::add_cluster(std::size_t level, std::size_t index, const Sphere& sphere)
 {
   // About the centre of its flux, as far as the surface is flat enough to have one: the integrand varies least from
   // there.
-  const FluxMoments& m = tree_.moments(level, index);
+  const SurfaceMultipoles& m = tree_.moments(level, index);
   const Vec3& n = m.normal;
   const double area2 = squared_norm(n), radius2 = sphere.radius * sphere.radius;
   Vec3 shift;
@@ -80,7 +80,7 @@ void FarPoints::add_cluster(std::size_t level, std::size_t index, const Sphere& 
   if (++cluster_lane_ == lanes) end_cluster_group();
 }
 
-void FarPoints::add_leaf(std::size_t leaf)
+void FarFieldSources::add_leaf(std::size_t leaf)
 {
   const Sphere& sphere = tree_.triangles().levels()[0][leaf];
   const Vec3 middle = sphere.centre - centre_;
@@ -106,12 +106,12 @@ void FarPoints::add_leaf(std::size_t leaf)
   triangle_spheres_.push(middle, sphere.radius);
 }
 
-double FarPoints::largest_piece(const std::array<Vec3, 3>& v) const
+double FarFieldSources::largest_piece(const std::array<Vec3, 3>& v) const
 {
   return std::max(longest_near_edge, triangle_ratio * (norm((v[0] + v[1] + v[2]) * (1.0 / 3)) - radius_));
 }
 
-void FarPoints::add_parts(const std::array<Vec3, 3>& v, int depth)
+void FarFieldSources::add_parts(const std::array<Vec3, 3>& v, int depth)
 {
   constexpr int most_halvings = 16;
   if (depth == most_halvings || longest_edge(v) <= largest_piece(v)) {
@@ -126,7 +126,7 @@ void FarPoints::add_parts(const std::array<Vec3, 3>& v, int depth)
   add_parts({middle, v[(i + 1) % 3], v[(i + 2) % 3]}, depth + 1);
 }
 
-void FarPoints::add_loose_parts()
+void FarFieldSources::add_loose_parts()
 {
   std::array<Sphere, lanes> members;
   for (std::size_t begin = 0; begin < loose_parts_.size(); begin += lanes) {
@@ -146,7 +146,7 @@ void FarPoints::add_loose_parts()
   }
 }
 
-void FarPoints::end_cluster_group()
+void FarFieldSources::end_cluster_group()
 {
   if (cluster_lane_ == 0) return;
   const Sphere sphere = bounding_sphere(cluster_points_.data(), cluster_lane_);

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "integral_invariant/moments/surface/kernels/multipole.h"
 #include "integral_invariant/moments/surface/interaction_list.h"
+#include "integral_invariant/moments/surface/kernels/multipole.h"
 
 namespace integral_invariant {
 
@@ -14,25 +14,25 @@ namespace integral_invariant {
 inline constexpr double longest_near_edge = 3;
 
 /// In coordinates relative to the neighbourhood's centre.
-class FarPoints {
+class FarFieldSources {
  public:
   static constexpr std::uint32_t no_leaf = ~0u;
 
   /// `reach`: largest radius of a ball about the block's points.
-  FarPoints(const SurfaceTree& tree, double reach) : tree_(tree), reach_(reach) {}
+  FarFieldSources(const SurfaceTree& tree, double reach) : tree_(tree), reach_(reach) {}
 
   /// What is beyond the rims of the balls about the points of `near`, and all that can be for some of them.
-  void gather(const Neighbourhood& near);
+  void gather(const InteractionList& near);
 
   /// Triangles of one leaf of the tree, or parts of large ones.
-  const PointGroup* points() const { return points_.data(); }
+  const TrianglePacket* points() const { return points_.data(); }
   /// Bounds of the points, and of the triangles that they stand for.
   const SphereColumns& point_spheres() const { return point_spheres_; }
   const SphereColumns& triangle_spheres() const { return triangle_spheres_; }
   /// Index of the neighbourhood's leaf that points()[i] are, or no_leaf.
   std::uint32_t near_leaf(std::uint32_t i) const { return near_leaf_[i]; }
   /// Nodes of the tree.
-  const ClusterGroup* clusters() const { return clusters_.data(); }
+  const MultipolePacket* clusters() const { return clusters_.data(); }
   const SphereColumns& cluster_spheres() const { return cluster_spheres_; }
 
  private:
@@ -48,8 +48,8 @@ class FarPoints {
   const double reach_;
   Vec3 centre_;
   double radius_ = 0;  ///< of the block
-  std::vector<PointGroup> points_;
-  std::vector<ClusterGroup> clusters_;
+  std::vector<TrianglePacket> points_;
+  std::vector<MultipolePacket> clusters_;
   std::size_t cluster_lane_ = 0;  ///< next one of the last group
   std::array<Sphere, kernel_lanes> cluster_points_;
   SphereColumns point_spheres_, triangle_spheres_, cluster_spheres_;

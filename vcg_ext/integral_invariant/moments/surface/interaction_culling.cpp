@@ -6,20 +6,20 @@
 
 namespace integral_invariant {
 
-Vicinity::Vicinity(const SurfaceTree& tree, const std::vector<double>& radii, bool sum_far)
+CulledInteractions::CulledInteractions(const SurfaceTree& tree, const std::vector<double>& radii, bool sum_far)
     : tree_(tree), radii_(radii), sum_far_(sum_far)
 {
   for (const double r : radii) squared_radii_.push_back(r * r);
 }
 
-void Vicinity::enter(const Neighbourhood& near)
+void CulledInteractions::enter(const InteractionList& near)
 {
   near_ = &near;
   leaf_moments_.resize(near.leaves.size());
   has_leaf_moments_.assign(near.leaves.size(), 0);
 }
 
-void Vicinity::add_far(std::uint32_t leaf, std::uint8_t scale, Far& far)
+void CulledInteractions::add_far(std::uint32_t leaf, std::uint8_t scale, Far& far)
 {
   if (!has_leaf_moments_[leaf]) {
     const SphereColumns& spheres = near_->leaf_spheres;
@@ -31,7 +31,7 @@ void Vicinity::add_far(std::uint32_t leaf, std::uint8_t scale, Far& far)
   far.has[scale] = 1;
 }
 
-void Vicinity::narrow(std::uint32_t begin, std::uint32_t end)
+void CulledInteractions::narrow(std::uint32_t begin, std::uint32_t end)
 {
   std::vector<Sphere> points;
   for (std::uint32_t i = begin; i < end; ++i) points.push_back({near_->point(i), 0});
@@ -58,7 +58,7 @@ void Vicinity::narrow(std::uint32_t begin, std::uint32_t end)
   choose_large(around);
 }
 
-void Vicinity::choose_large(const Sphere& around)
+void CulledInteractions::choose_large(const Sphere& around)
 {
   close_large_.clear();
   for (const std::uint32_t i : near_->large) {
@@ -70,7 +70,7 @@ void Vicinity::choose_large(const Sphere& around)
   }
 }
 
-void Vicinity::sort_points(const Sphere& around)
+void CulledInteractions::sort_points(const Sphere& around)
 {
   const SphereColumns& groups = near_->point_groups;
   least_.resize(std::max(least_.size(), groups.x.size()));
@@ -86,7 +86,7 @@ void Vicinity::sort_points(const Sphere& around)
   }
 }
 
-void Vicinity::centre_on(std::uint32_t point, std::vector<std::uint8_t>& scale_of)
+void CulledInteractions::centre_on(std::uint32_t point, std::vector<std::uint8_t>& scale_of)
 {
   const Vec3 centre = near_->point(point);
   scale_of = common_scale_;

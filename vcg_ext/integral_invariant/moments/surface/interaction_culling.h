@@ -12,13 +12,13 @@ namespace integral_invariant {
 /// Narrows a neighbourhood down in two steps. What lies between the same two spheres for all of the points in question
 /// is left out and its moments are summed; all moments are about the neighbourhood's centre, so that sums of the first
 /// step serve the second one as they are.
-class Vicinity {
+class CulledInteractions {
  public:
   /// `sum_far` as for the gatherer: without it, leaves are left out only where they are beyond the largest radius.
-  Vicinity(const SurfaceTree& tree, const std::vector<double>& radii, bool sum_far);
+  CulledInteractions(const SurfaceTree& tree, const std::vector<double>& radii, bool sum_far);
 
   /// To another neighbourhood.
-  void enter(const Neighbourhood& near);
+  void enter(const InteractionList& near);
   /// To the local points [begin, end), which should lie close together.
   void narrow(std::uint32_t begin, std::uint32_t end);
   /// To one of them: writes its leaves and the first scale of every local point.
@@ -32,11 +32,11 @@ class Vicinity {
   std::size_t close_leaf_count() const { return close_leaves_.size(); }
   bool has_far(std::size_t scale) const { return far_.has[scale]; }
   /// Of what is inside from the scale on and not in leaves(); about the neighbourhood's centre.
-  const FluxMoments& far(std::size_t scale) const { return far_.moments[scale]; }
+  const SurfaceMultipoles& far(std::size_t scale) const { return far_.moments[scale]; }
 
  private:
   struct Far {
-    std::vector<FluxMoments> moments;
+    std::vector<SurfaceMultipoles> moments;
     std::vector<char> has;
   };
 
@@ -48,8 +48,8 @@ class Vicinity {
   const std::vector<double>& radii_;
   std::vector<double> squared_radii_;
   const bool sum_far_;
-  const Neighbourhood* near_ = nullptr;
-  std::vector<FluxMoments> leaf_moments_;  ///< per leaf of the neighbourhood, where asked for before
+  const InteractionList* near_ = nullptr;
+  std::vector<SurfaceMultipoles> leaf_moments_;  ///< per leaf of the neighbourhood, where asked for before
   std::vector<char> has_leaf_moments_;
   std::vector<std::uint8_t> least_, largest_;
   std::vector<std::uint32_t> close_leaves_, leaves_, close_large_;

@@ -9,16 +9,16 @@ namespace integral_invariant {
 
 namespace {
 
-Sphere triangle_sphere(const SpatialOrder& order, std::size_t index)
+Sphere triangle_sphere(const PreparedMesh& order, std::size_t index)
 {
   std::array<Sphere, 3> corners;
   for (int i = 0; i < 3; ++i) corners[i].centre = order.points[std::size_t(order.triangles[index][i])];
   return bounding_sphere(corners.data(), 3);
 }
 
-Sphere edge_sphere(const SpatialOrder& order, std::size_t index)
+Sphere edge_sphere(const PreparedMesh& order, std::size_t index)
 {
-  const FreeEdge& edge = order.free_edges[index];
+  const BoundaryEdge& edge = order.boundary_edges[index];
   const Vec3 &a = order.points[edge.from], &b = order.points[edge.to];
   return {(a + b) * 0.5, norm(b - a) * 0.5};
 }
@@ -26,14 +26,14 @@ Sphere edge_sphere(const SpatialOrder& order, std::size_t index)
 }  // namespace
 
 SurfaceTree::SurfaceTree(const Surface& surface, bool merge_dense, Execution& execution)
-    : order_(order_in_space(surface, merge_dense, execution)),
+    : order_(prepare_mesh(surface, merge_dense, execution)),
       triangles_(
           order_.triangles.size(), [&](std::size_t i) { return triangle_sphere(order_, i); }, execution),
-      free_edges_(
-          order_.free_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }, execution),
+      boundary_edges_(
+          order_.boundary_edges.size(), [&](std::size_t i) { return edge_sphere(order_, i); }, execution),
       is_border_(order_.points.size(), false)
 {
-  for (const FreeEdge& edge : order_.free_edges) is_border_[edge.from] = is_border_[edge.to] = true;
+  for (const BoundaryEdge& edge : order_.boundary_edges) is_border_[edge.from] = is_border_[edge.to] = true;
   execution.check();
   sum_moments(execution);
 }
@@ -51,30 +51,31 @@ void SurfaceTree::sum_moments(Execution& execution)
   }
 }
 
-FluxMoments SurfaceTree::moments_of_leaf(std::size_t leaf) const
+SurfaceMultipoles SurfaceTree::moments_of_leaf(std::size_t leaf) const
 {
   const Vec3& centre = triangles_.levels()[0][leaf].centre;
-  FluxMoments sum;
+  SurfaceMultipoles sum;
   for (std::size_t i = triangles_.item_begin(leaf); i < triangles_.item_end(leaf); ++i) {
     const Triangle& t = order_.triangles[i];
-    sum += triangle_flux_moments(order_.points[std::size_t(t[0])] - centre, order_.points[std::size_t(t[1])] - centre,
-                                 order_.points[std::size_t(t[2])] - centre);
+    sum += triangle_multipoles(order_.points[std::size_t(t[0])] - centre, order_.points[std::size_t(t[1])] - centre,
+                               order_.points[std::size_t(t[2])] - centre);
   }
   return sum;
 }
 
-FluxMoments SurfaceTree::moments_of_children(std::size_t level, std::size_t node) const
+SurfaceMultipoles SurfaceTree::moments_of_children(std::size_t level, std::size_t node) const
 {
   const std::vector<Sphere>& children = triangles_.levels()[level - 1];
   const Vec3& centre = triangles_.levels()[level][node].centre;
-  const std::size_t first = node * SphereTree::fan_out, end = std::min(first + SphereTree::fan_out, children.size());
-  FluxMoments sum;
+  const std::size_t first = node * BoundingTree::fan_out,
+                    end = std::min(first + BoundingTree::fan_out, children.size());
+  SurfaceMultipoles sum;
   for (std::size_t child = first; child < end; ++child)
     sum += translated(moments_[level - 1][child], children[child].centre - centre);
   return sum;
 }
 
-void Neighbourhood::group_points()
+void InteractionList::group_points()
 {
   point_groups.clear();
   std::array<Sphere, kernel_lanes> members;
@@ -91,7 +92,7 @@ void Neighbourhood::group_points()
   z.resize(full, 0.0);
 }
 
-void Neighbourhood::connect_points()
+void InteractionList::connect_points()
 {
   neighbour_start.assign(x.size() + 1, 0);
   for (const LocalCorners& t : corners)
@@ -104,13 +105,13 @@ void Neighbourhood::connect_points()
       for (const int other : {i + 1, i + 2}) neighbours[next[t.ring[i]]++] = t.ring[other];
 }
 
-NeighbourhoodGatherer::NeighbourhoodGatherer(const SurfaceTree& tree, const std::vector<double>& radii, double reach,
-                                             double small_edge, bool sum_far)
+InteractionGatherer::InteractionGatherer(const SurfaceTree& tree, const std::vector<double>& radii, double reach,
+                                         double small_edge, bool sum_far)
     : tree_(tree), radii_(radii), reach_(reach), small_edge_(small_edge), sum_far_(sum_far), table_(4096, 0)
 {
 }
 
-const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_t end)
+const InteractionList& InteractionGatherer::gather(std::size_t begin, std::size_t end)
 {
   std::vector<Sphere> points;
   for (std::size_t i = begin; i < end; ++i) points.push_back({tree_.order().points[i], 0});
@@ -128,22 +129,22 @@ const Neighbourhood& NeighbourhoodGatherer::gather(std::size_t begin, std::size_
   local_.leaves.clear();
   local_.leaf_spheres.clear();
   local_.large.clear();
-  local_.free_edges.clear();
-  local_.close_free_edges.clear();
+  local_.boundary_edges.clear();
+  local_.close_boundary_edges.clear();
   block_begin_ = begin;
   block_end_ = end;
   local_.far.assign(radii_.size(), {});
   local_.has_far.assign(radii_.size(), 0);
   for (std::size_t i = begin; i < end; ++i) local(std::uint32_t(i));
   gather_triangles();
-  gather_free_edges();
+  gather_boundary_edges();
   local_.group_points();
   local_.leaf_spheres.pad();
   if (!sum_far_) local_.connect_points();
   return local_;
 }
 
-int NeighbourhoodGatherer::common_scale(const Sphere& sphere) const
+int InteractionGatherer::common_scale(const Sphere& sphere) const
 {
   const double distance = norm(sphere.centre - block_.centre),
                reach = sphere.radius + block_.radius + position_rounding;
@@ -152,7 +153,7 @@ int NeighbourhoodGatherer::common_scale(const Sphere& sphere) const
   return inside_from == touched_from ? int(inside_from - radii_.begin()) : -1;
 }
 
-void NeighbourhoodGatherer::gather_triangles()
+void InteractionGatherer::gather_triangles()
 {
   const std::vector<Triangle>& triangles = tree_.order().triangles;
   tree_.triangles().visit(
@@ -174,7 +175,7 @@ void NeighbourhoodGatherer::gather_triangles()
       });
 }
 
-void NeighbourhoodGatherer::add_triangle(const Triangle& triangle, std::uint8_t lane)
+void InteractionGatherer::add_triangle(const Triangle& triangle, std::uint8_t lane)
 {
   const std::vector<Vec3>& points = tree_.order().points;
   std::array<Vec3, 3> v;
@@ -204,21 +205,21 @@ void NeighbourhoodGatherer::add_triangle(const Triangle& triangle, std::uint8_t 
   local_.lanes.push_back(lane);
 }
 
-std::uint32_t NeighbourhoodGatherer::first_small_scale(double edge) const
+std::uint32_t InteractionGatherer::first_small_scale(double edge) const
 {
   std::size_t scale = 0;
   while (scale < radii_.size() && edge > small_edge_ * radii_[scale]) ++scale;
   return std::uint32_t(scale);
 }
 
-void NeighbourhoodGatherer::gather_free_edges()
+void InteractionGatherer::gather_boundary_edges()
 {
   const auto is_within = [&](const Sphere& sphere, double reach) {
     return norm(sphere.centre - block_.centre) <= reach + block_.radius + sphere.radius;
   };
   near_edges_.clear();
   close_edges_.clear();
-  const SphereTree& tree = tree_.free_edges();
+  const BoundingTree& tree = tree_.boundary_edges();
   tree.visit([&](std::size_t, std::size_t, const Sphere& sphere) { return is_within(sphere, reach_); },
              [&](std::size_t leaf) {
                for (std::size_t i = tree.item_begin(leaf); i < tree.item_end(leaf); ++i) {
@@ -232,18 +233,18 @@ void NeighbourhoodGatherer::gather_free_edges()
   constexpr std::size_t most_far = 128, most_close = 256, crowd = 512;
   const bool may_thin = small_edge_ > 0;
   local_.is_crowd = may_thin && close_edges_.size() > crowd;
-  add_free_edges(near_edges_, may_thin ? most_far : near_edges_.size(), local_.free_edges);
-  add_free_edges(close_edges_, may_thin ? most_close : close_edges_.size(), local_.close_free_edges);
+  add_boundary_edges(near_edges_, may_thin ? most_far : near_edges_.size(), local_.boundary_edges);
+  add_boundary_edges(close_edges_, may_thin ? most_close : close_edges_.size(), local_.close_boundary_edges);
 }
 
-void NeighbourhoodGatherer::add_free_edges(const std::vector<std::uint32_t>& edges, std::size_t most,
-                                           std::vector<LocalFreeEdge>& local_edges)
+void InteractionGatherer::add_boundary_edges(const std::vector<std::uint32_t>& edges, std::size_t most,
+                                             std::vector<LocalBoundaryEdge>& local_edges)
 {
   // Where there are more, a sample stands for them, or n of them would cost n² in all.
   const std::size_t stride = edges.empty() ? 1 : (edges.size() + most - 1) / most;
   const auto is_of_block = [&](std::uint32_t point) { return point >= block_begin_ && point < block_end_; };
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const FreeEdge& e = tree_.order().free_edges[edges[i]];
+    const BoundaryEdge& e = tree_.order().boundary_edges[edges[i]];
     const std::uint32_t stands_for = i % stride == 0 ? std::uint32_t(stride) : 0;
     // The ends of the surface at a point of the block must be all there: each that arrives has one that leaves.
     if (stands_for == 0 && !is_of_block(e.from) && !is_of_block(e.to)) continue;
@@ -251,7 +252,7 @@ void NeighbourhoodGatherer::add_free_edges(const std::vector<std::uint32_t>& edg
   }
 }
 
-std::uint32_t NeighbourhoodGatherer::local(std::uint32_t point)
+std::uint32_t InteractionGatherer::local(std::uint32_t point)
 {
   const std::size_t mask = table_.size() - 1;
   std::size_t slot = point & mask;  // ids along the curve are dense: consecutive ones do not collide
@@ -269,7 +270,7 @@ std::uint32_t NeighbourhoodGatherer::local(std::uint32_t point)
   return std::uint32_t(local_.point_ids.size() - 1);
 }
 
-void NeighbourhoodGatherer::forget_points()
+void InteractionGatherer::forget_points()
 {
   std::fill(table_.begin(), table_.end(), 0);
   local_.point_ids.clear();
@@ -278,7 +279,7 @@ void NeighbourhoodGatherer::forget_points()
   local_.z.clear();
 }
 
-void NeighbourhoodGatherer::grow_table()
+void InteractionGatherer::grow_table()
 {
   table_.assign(2 * table_.size(), 0);
   const std::size_t mask = table_.size() - 1;

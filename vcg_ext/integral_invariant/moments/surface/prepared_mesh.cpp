@@ -21,7 +21,7 @@ constexpr std::size_t dense_cell = 1000;
 constexpr int merged_levels = 5;
 
 /// Per place, how many low bits of its cell are ignored when vertices are merged.
-std::vector<int> merged_bits(const Surface& surface, const std::vector<CurvePlace>& places)
+std::vector<int> merged_bits(const Surface& surface, const std::vector<CurveCell>& places)
 {
   const double edges_across = std::max(1.0, surface.diagonal());  // the average edge is 1
   const int level = std::clamp(int(std::log2(edges_across)), 0, HilbertCurve::bits - merged_levels);
@@ -37,12 +37,12 @@ std::vector<int> merged_bits(const Surface& surface, const std::vector<CurvePlac
 }
 
 /// Fills points and vertices; returns the point of every vertex.
-std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense, SpatialOrder& order,
+std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense, PreparedMesh& order,
                                         Execution& execution)
 {
   // The box is centred at 0 and no longer than its diagonal.
   const HilbertCurve curve({}, 0.5 * surface.diagonal());
-  const std::vector<CurvePlace> places = order_along(
+  const std::vector<CurveCell> places = hilbert_sort(
       curve, surface.positions(), [&](std::size_t v) { return surface.is_referenced(v); }, execution);
   const std::vector<int> bits = merge_dense ? merged_bits(surface, places) : std::vector<int>(places.size(), 0);
   std::vector<std::uint32_t> point_of(surface.vertex_count(), 0);
@@ -63,19 +63,19 @@ std::vector<std::uint32_t> merge_places(const Surface& surface, bool merge_dense
   return point_of;
 }
 
-PlacedItem placed(const Vec3& p, std::size_t index)
+SortItem placed(const Vec3& p, std::size_t index)
 {
   return {{float(p.x), float(p.y), float(p.z)}, std::uint32_t(index)};
 }
 
 /// Gives the points the order in which runs are compact, and `point_of` their new numbers.
-void order_points(SpatialOrder& order, std::vector<std::uint32_t>& point_of, Execution& execution)
+void order_points(PreparedMesh& order, std::vector<std::uint32_t>& point_of, Execution& execution)
 {
-  std::vector<PlacedItem> items;
+  std::vector<SortItem> items;
   reserve_large(items, order.points.size());
   for_each_in_order(order.points.size(), execution,
                     [&](std::size_t i) { items.push_back(placed(order.points[i], i)); });
-  order_compactly(items, SpatialOrder::run, execution);
+  kd_sort(items, PreparedMesh::run, execution);
   std::vector<std::uint32_t> start, vertices, number(order.points.size());
   std::vector<Vec3> points;
   reserve_large(start, order.vertex_start.size());
@@ -97,11 +97,11 @@ void order_points(SpatialOrder& order, std::vector<std::uint32_t>& point_of, Exe
   order.vertex_start.swap(start);
 }
 
-void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& point_of, SpatialOrder& order,
+void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& point_of, PreparedMesh& order,
                      Execution& execution)
 {
   std::vector<Triangle> kept;
-  std::vector<PlacedItem> items;
+  std::vector<SortItem> items;
   reserve_large(kept, surface.triangles().size());
   reserve_large(items, surface.triangles().size());
   for_each_in_order(surface.triangles().size(), execution, [&](std::size_t i) {
@@ -115,12 +115,12 @@ void order_triangles(const Surface& surface, const std::vector<std::uint32_t>& p
     items.push_back(placed(sum, kept.size()));
     kept.push_back(t);
   });
-  order_compactly(items, SpatialOrder::run, execution);
+  kd_sort(items, PreparedMesh::run, execution);
   resize_in_steps(order.triangles, kept.size(), execution);
   for_each_index(kept.size(), execution, [&](std::size_t i) { order.triangles[i] = kept[items[i].index]; });
 }
 
-void find_normals(SpatialOrder& order, Execution& execution)
+void find_normals(PreparedMesh& order, Execution& execution)
 {
   resize_in_steps(order.normals, order.points.size(), execution);
   for_each_in_order(order.triangles.size(), execution, [&](std::size_t triangle) {
@@ -139,19 +139,19 @@ struct DirectedEdge {
   bool up;  ///< passed from low to high
 };
 
-void add_free_edge(const DirectedEdge* begin, const DirectedEdge* end, std::vector<FreeEdge>& free_edges)
+void add_boundary_edge(const DirectedEdge* begin, const DirectedEdge* end, std::vector<BoundaryEdge>& boundary_edges)
 {
   std::int32_t surplus = 0;
   for (const DirectedEdge* e = begin; e != end; ++e) surplus += e->up ? 1 : -1;
   if (surplus == 0) return;
   const DirectedEdge* e = std::find_if(begin, end, [&](const DirectedEdge& d) { return d.up == (surplus > 0); });
   if (surplus > 0)
-    free_edges.push_back({e->low, e->high, surplus, e->opposite});
+    boundary_edges.push_back({e->low, e->high, surplus, e->opposite});
   else
-    free_edges.push_back({e->high, e->low, -surplus, e->opposite});
+    boundary_edges.push_back({e->high, e->low, -surplus, e->opposite});
 }
 
-void find_free_edges(SpatialOrder& order, Execution& execution)
+void find_free_edges(PreparedMesh& order, Execution& execution)
 {
   // By their smaller point: those buckets are short and stay in the cache.
   Buckets<DirectedEdge> edges = in_buckets<DirectedEdge>(
@@ -171,16 +171,16 @@ void find_free_edges(SpatialOrder& order, Execution& execution)
     for (const DirectedEdge *edge = edges.begin(point), *end = edges.end(point), *next = edge; edge != end;
          edge = next) {
       while (next != end && next->high == edge->high) ++next;
-      add_free_edge(edge, next, order.free_edges);
+      add_boundary_edge(edge, next, order.boundary_edges);
     }
   });
 }
 
 }  // namespace
 
-SpatialOrder order_in_space(const Surface& surface, bool merge_dense, Execution& execution)
+PreparedMesh prepare_mesh(const Surface& surface, bool merge_dense, Execution& execution)
 {
-  SpatialOrder order;
+  PreparedMesh order;
   std::vector<std::uint32_t> point_of = merge_places(surface, merge_dense, order, execution);
   order_points(order, point_of, execution);
   order_triangles(surface, point_of, order, execution);

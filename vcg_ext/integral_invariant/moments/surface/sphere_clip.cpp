@@ -34,10 +34,10 @@ PlaneMoments plane_segment(const Vec3& n, double squared_radius, const Vec3& y_a
 }
 
 /// flux = the cone over the plane region less the ball's sector over the same directions.
-MomentSums flux(const Vec3& n, double h, double r, const PlaneMoments& plane, const SphericalMoments& directions)
+SolidMoments flux(const Vec3& n, double h, double r, const PlaneMoments& plane, const SphericalMoments& directions)
 {
   const double r3 = r * r * r;
-  MomentSums sums;
+  SolidMoments sums;
   sums.volume = (h * plane.area - r3 * directions.area) / 3;
   sums.first = ((n * (h * plane.area) + plane.first) * h - directions.first * (r3 * r)) * 0.25;
   const Symmetric3 second = outer(n) * (h * h * plane.area) + symmetric_outer(n, plane.first) * h + plane.second;
@@ -78,7 +78,7 @@ double edge_crossing(const Vec3& a, const Vec3& b, double radius)
   return std::min(1.0, depth >= 0 && along < 0 ? q / length2 : std::abs(depth) / q);
 }
 
-MomentSums segment_flux(const Vec3& n, double h, double radius, const Vec3& a, const Vec3& b)
+SolidMoments segment_flux(const Vec3& n, double h, double radius, const Vec3& a, const Vec3& b)
 {
   if (h == 0) return {};
   const Vec3 y_a = a - n * h, y_b = b - n * h;
@@ -89,7 +89,7 @@ MomentSums segment_flux(const Vec3& n, double h, double radius, const Vec3& a, c
               circle_lens(n, h / radius, a * (1 / radius), b * (1 / radius), turn));
 }
 
-MomentSums disc_flux(const Vec3& n, double h, double radius)
+SolidMoments disc_flux(const Vec3& n, double h, double radius)
 {
   if (h == 0) return {};
   const double squared_radius = std::max(0.0, radius * radius - h * h);
@@ -99,15 +99,15 @@ MomentSums disc_flux(const Vec3& n, double h, double radius)
   return flux(n, h, radius, disc, circle_cap(n, h / radius));
 }
 
-MomentSums cone_moments(const Vec3& a, const Vec3& b, const Vec3& c)
+SolidMoments cone_moments(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const double det = dot(a, cross(b - a, c - a));
   const Vec3 sum = a + b + c;
   return {det / 6, sum * (det / 24), (outer(a) + outer(b) + outer(c) + outer(sum)) * (det / 120)};
 }
 
-MomentSums curved_excess(const std::array<Vec3, 3>& t, double radius, int lone, bool lone_is_inside,
-                         const std::array<Vec3, 2>& chord)
+SolidMoments curved_excess(const std::array<Vec3, 3>& t, double radius, int lone, bool lone_is_inside,
+                           const std::array<Vec3, 2>& chord)
 {
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
   const double length = norm(normal);
@@ -116,7 +116,7 @@ MomentSums curved_excess(const std::array<Vec3, 3>& t, double radius, int lone, 
   const double h = dot(n, t[0]);
   if (h == 0 || std::abs(h) >= radius) return {};
 
-  MomentSums excess;
+  SolidMoments excess;
   if (lone >= 0) {
     excess = lone_is_inside ? segment_flux(n, h, radius, chord[0], chord[1])
                             : segment_flux(n, h, radius, chord[1], chord[0]);

@@ -18,18 +18,18 @@ double edge_crossing(const Vec3& a, const Vec3& b, double radius);
 
 /// Flux of the circular segment beyond the chord from a to b: the part of the disc {n·x = h, |x| ≤ r} between the chord
 /// and the circle from a to b, counter-clockwise about the unit vector n.
-MomentSums segment_flux(const Vec3& n, double h, double radius, const Vec3& a, const Vec3& b);
+SolidMoments segment_flux(const Vec3& n, double h, double radius, const Vec3& a, const Vec3& b);
 
 /// Flux of the whole disc {n·x = h, |x| ≤ r}.
-MomentSums disc_flux(const Vec3& n, double h, double radius);
+SolidMoments disc_flux(const Vec3& n, double h, double radius);
 
 /// ∫ of 1, x, x xᵀ over the cone from the origin to the triangle.
-MomentSums cone_moments(const Vec3& a, const Vec3& b, const Vec3& c);
+SolidMoments cone_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// flux(T∩ball) less that of its straight part: the corner at `lone` (the one vertex that is inside alone, or outside
 /// alone). `lone` is 0 to 2, or −1 where all vertices are outside; `chord` are the ends of the corner's chord on the
 /// edges lone→next and previous→lone.
-MomentSums curved_excess(const std::array<Vec3, 3>& triangle, double radius, int lone, bool lone_is_inside,
-                         const std::array<Vec3, 2>& chord);
+SolidMoments curved_excess(const std::array<Vec3, 3>& triangle, double radius, int lone, bool lone_is_inside,
+                           const std::array<Vec3, 2>& chord);
 
 }  // namespace integral_invariant

@@ -32,7 +32,7 @@ ArcSums& ArcSums::operator+=(const ArcSums& b)
   return *this;
 }
 
-BallMoments ball_moments(const MomentSums& flux, const ArcTerms& arcs, double half_area, double radius)
+BallMoments ball_moments(const SolidMoments& flux, const ArcTerms& arcs, double half_area, double radius)
 {
   const double r3 = radius * radius * radius;
   // 3 flux / r³ + area is 4π times the solid share of the ball, and the area is known modulo 4π.

@@ -34,6 +34,6 @@ class ArcSums {
 /// Moments of the ball from the sum of all fluxes through its plane pieces and the arcs of its spherical part.
 /// `half_area` is half of the area about the pole of all arcs; of the values that it allows modulo 2π, the one is taken
 /// that gives a volume between nothing and the whole ball.
-BallMoments ball_moments(const MomentSums& flux, const ArcTerms& arcs, double half_area, double radius);
+BallMoments ball_moments(const SolidMoments& flux, const ArcTerms& arcs, double half_area, double radius);
 
 }  // namespace integral_invariant

@@ -6,8 +6,8 @@
 
 #include "integral_invariant/moments/surface/ball_evaluator.h"
 #include "integral_invariant/moments/surface/far_field.h"
-#include "integral_invariant/moments/surface/interaction_list.h"
 #include "integral_invariant/moments/surface/interaction_culling.h"
+#include "integral_invariant/moments/surface/interaction_list.h"
 #include "integral_invariant/support/memory.h"
 
 namespace integral_invariant {
@@ -52,7 +52,7 @@ class SurfaceEngine : public MomentEngine {
   std::string description(const std::vector<double>&, Execution&) const override
   {
     return "surface integral over " + std::to_string(tree_.order().triangles.size()) + " triangles, " +
-           std::to_string(tree_.order().free_edges.size()) + " free edges";
+           std::to_string(tree_.order().boundary_edges.size()) + " boundary edges";
   }
 
  private:
@@ -74,8 +74,8 @@ class SurfaceEngine : public MomentEngine {
           evaluator(radii, parameters.same_sheet, last_radius)
     {
     }
-    NeighbourhoodGatherer gatherer;
-    Vicinity vicinity;
+    InteractionGatherer gatherer;
+    CulledInteractions vicinity;
     BallEvaluator evaluator;
   };
 
@@ -119,7 +119,7 @@ class SurfaceEngine : public MomentEngine {
   void evaluate_block(std::size_t begin, std::size_t end, Worker& worker, const MomentSink& sink) const
   {
     if (worker.near) {
-      const Neighbourhood& near = worker.near->gatherer.gather(begin, end);
+      const InteractionList& near = worker.near->gatherer.gather(begin, end);
       if (near.longest_edge <= longest_near_edge) {
         worker.far->enter(near);
         evaluate_points(begin, end, near, *worker.near, worker.far.get(), sink);
@@ -129,11 +129,11 @@ class SurfaceEngine : public MomentEngine {
     evaluate_points(begin, end, worker.all.gatherer.gather(begin, end), worker.all, nullptr, sink);
   }
 
-  void evaluate_points(std::size_t begin, std::size_t end, const Neighbourhood& near, ClosedForms& forms, FarField* far,
-                       const MomentSink& sink) const
+  void evaluate_points(std::size_t begin, std::size_t end, const InteractionList& near, ClosedForms& forms,
+                       FarField* far, const MomentSink& sink) const
   {
     constexpr std::size_t close = 8;  // points: about two edges across
-    const SpatialOrder& order = tree_.order();
+    const PreparedMesh& order = tree_.order();
     forms.vicinity.enter(near);
     std::size_t measured = end;  // the last one
     for (std::size_t point = begin; point < end; ++point) {
@@ -157,7 +157,8 @@ class SurfaceEngine : public MomentEngine {
 
   /// Whether the moments about point `measured` may serve `point` too: among triangles that are no surface, where balls
   /// cut so many of them that a measure of each point's own would cost their square.
-  bool may_share(std::size_t measured, std::size_t point, const Neighbourhood& near, const Vicinity& vicinity) const
+  bool may_share(std::size_t measured, std::size_t point, const InteractionList& near,
+                 const CulledInteractions& vicinity) const
   {
     constexpr std::size_t leaves_a_measure = 32;
     constexpr double largest_shift = 0.75;  // edges: half of the smallest radius of the default
@@ -171,7 +172,7 @@ class SurfaceEngine : public MomentEngine {
   void hand_over(std::size_t point, std::size_t first, const BallMoments* moments, std::size_t count,
                  const MomentSink& sink) const
   {
-    const SpatialOrder& order = tree_.order();
+    const PreparedMesh& order = tree_.order();
     for (std::uint32_t i = order.vertex_start[point]; i < order.vertex_start[point + 1]; ++i)
       for (std::size_t k = 0; k < count; ++k) sink(order.vertices[i], int(first + k), moments[k]);
   }

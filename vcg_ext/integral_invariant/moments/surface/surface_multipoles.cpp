@@ -9,10 +9,10 @@ namespace {
 double component(const Vec3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
 
 /// ∫ n·u
-double radial_volume(const FluxMoments& m) { return m.first[0].x + m.first[1].y + m.first[2].z; }
+double radial_volume(const SurfaceMultipoles& m) { return m.first[0].x + m.first[1].y + m.first[2].z; }
 
 /// ∫ (n·u) u
-Vec3 radial_first(const FluxMoments& m)
+Vec3 radial_first(const SurfaceMultipoles& m)
 {
   return {m.second[0].xx + m.second[1].xy + m.second[2].xz, m.second[0].xy + m.second[1].yy + m.second[2].yz,
           m.second[0].xz + m.second[1].yz + m.second[2].zz};
@@ -20,11 +20,11 @@ Vec3 radial_first(const FluxMoments& m)
 
 }  // namespace
 
-FluxMoments triangle_flux_moments(const Vec3& a, const Vec3& b, const Vec3& c)
+SurfaceMultipoles triangle_multipoles(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const Vec3 sum = a + b + c;
   const Symmetric3 square = (outer(a) + outer(b) + outer(c) + outer(sum)) * (1.0 / 12);
-  FluxMoments m;
+  SurfaceMultipoles m;
   m.normal = cross(b - a, c - a) * 0.5;
   for (int k = 0; k < 3; ++k) {
     m.first[k] = sum * (component(m.normal, k) / 3);
@@ -34,9 +34,9 @@ FluxMoments triangle_flux_moments(const Vec3& a, const Vec3& b, const Vec3& c)
   return m;
 }
 
-FluxMoments translated(const FluxMoments& m, const Vec3& shift)
+SurfaceMultipoles translated(const SurfaceMultipoles& m, const Vec3& shift)
 {
-  FluxMoments t = m;
+  SurfaceMultipoles t = m;
   for (int k = 0; k < 3; ++k) {
     const double n_k = component(m.normal, k);
     t.first[k] += shift * n_k;
@@ -47,9 +47,9 @@ FluxMoments translated(const FluxMoments& m, const Vec3& shift)
   return t;
 }
 
-MomentSums cone_moments(const FluxMoments& moments, const Vec3& shift)
+SolidMoments cone_moments(const SurfaceMultipoles& moments, const Vec3& shift)
 {
-  const FluxMoments m = translated(moments, shift);
+  const SurfaceMultipoles m = translated(moments, shift);
   return {radial_volume(m) / 3, radial_first(m) * 0.25, m.third * 0.2};
 }
 

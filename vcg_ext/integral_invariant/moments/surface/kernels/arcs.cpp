@@ -57,7 +57,7 @@ void sum_arcs(const double* const* column, std::size_t count, const double* cent
 
 }  // namespace
 
-void RimArcs::add_to(ArcSums& sums, const Vec3& centre, const Vec3& pole)
+void ArcBatch::add_to(ArcSums& sums, const Vec3& centre, const Vec3& pole)
 {
   if (count_ == 0) return;
   while (count_ % lanes != 0) push(centre + pole, centre + pole);

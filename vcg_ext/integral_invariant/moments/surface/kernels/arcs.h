@@ -5,13 +5,13 @@
 #include <array>
 #include <cstddef>
 
-#include "integral_invariant/moments/surface/spherical_region.h"
 #include "integral_invariant/moments/surface/kernels/scale_search.h"
+#include "integral_invariant/moments/surface/spherical_region.h"
 
 namespace integral_invariant {
 
 /// Edges in columns, from their first end to their second one; neither end may be the centre.
-class RimArcs {
+class ArcBatch {
  public:
   static constexpr std::size_t lanes = kernel_lanes, capacity = 128;
 

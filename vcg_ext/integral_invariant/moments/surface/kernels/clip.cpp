@@ -151,8 +151,8 @@ static void sum_whole_triangles(const LocalTriangle* triangles, const std::uint3
   }
 }
 
-MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count,
-                           const Vec3& centre)
+SolidMoments whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count,
+                             const Vec3& centre)
 {
   const double apex[4] = {centre.x, centre.y, centre.z, 0};
   double s[12];

@@ -25,8 +25,8 @@ struct alignas(32) LocalTriangle {
 };
 
 /// Moments of the cones from `centre` to those of the triangles that `list` names.
-MomentSums whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count,
-                           const Vec3& centre);
+SolidMoments whole_triangles(const LocalTriangle* triangles, const std::uint32_t* list, std::size_t count,
+                             const Vec3& centre);
 
 /// Corners that one sphere cuts off triangles, in columns: the lone vertex a, and b and c in the triangle's order.
 class CornerBatch {
@@ -61,7 +61,7 @@ class CornerBatch {
 /// What corners add to the moments of their ball: the cones to their straight parts, less the ball's sectors over their
 /// great arcs but for the area of these.
 struct CornerSums {
-  MomentSums moments;
+  SolidMoments moments;
   double half_area = 0;  ///< half of the arcs' area about the pole
 };
 

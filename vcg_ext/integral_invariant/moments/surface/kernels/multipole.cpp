@@ -30,7 +30,7 @@ struct SeenPoint {
   double x, y, z, r2, h;
 };
 
-[[gnu::always_inline]] inline SeenPoint seen_from(const Vec3& centre, const PointGroup& group,
+[[gnu::always_inline]] inline SeenPoint seen_from(const Vec3& centre, const TrianglePacket& group,
                                                   const LaneWeights& weights, std::size_t j)
 {
   const double x = group.point[0][j] - centre.x, y = group.point[1][j] - centre.y, z = group.point[2][j] - centre.z;
@@ -39,7 +39,7 @@ struct SeenPoint {
 }
 
 /// S x for a lane's second moments S.
-[[gnu::always_inline]] inline Vec3 second_times(const PointGroup& group, std::size_t j, const SeenPoint& p)
+[[gnu::always_inline]] inline Vec3 second_times(const TrianglePacket& group, std::size_t j, const SeenPoint& p)
 {
   const auto& s = group.second;
   return {s[0][j] * p.x + s[1][j] * p.y + s[2][j] * p.z, s[1][j] * p.x + s[3][j] * p.y + s[4][j] * p.z,
@@ -55,13 +55,13 @@ struct SeenPoint {
 /// |x|^-3, of x |x|^-4 ((12 q − 2 t) x − 4 s) |x|^-4, of x xᵀ |x|^-5 ((17.5 q − 2.5 t) x xᵀ − 5 (x sᵀ + s xᵀ) + S)
 /// |x|^-5.
 II_VECTOR_CLONES
-void sum_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
+void sum_points(const TrianglePacket* groups, const LaneWeights* weights, const WeightedPacket* list, std::size_t count,
                 const FluxSums::Shell& shell_in_memory, LaneSums& out)
 {
   LaneSums sum = out;
   const FluxSums::Shell shell = shell_in_memory;
   for (std::size_t g = 0; g < count; ++g) {
-    const PointGroup& group = groups[list[g].group];
+    const TrianglePacket& group = groups[list[g].group];
     const LaneWeights& weight = weights[list[g].weights];
     const double *sxx = group.second[0], *sxy = group.second[1], *sxz = group.second[2], *syy = group.second[3],
                  *syz = group.second[4], *szz = group.second[5];
@@ -86,13 +86,13 @@ void sum_points(const PointGroup* groups, const LaneWeights* weights, const Weig
 }
 
 II_VECTOR_CLONES
-void sum_bare_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                     const FluxSums::Shell& shell_in_memory, LaneSums& out)
+void sum_bare_points(const TrianglePacket* groups, const LaneWeights* weights, const WeightedPacket* list,
+                     std::size_t count, const FluxSums::Shell& shell_in_memory, LaneSums& out)
 {
   LaneSums sum = out;
   const FluxSums::Shell shell = shell_in_memory;
   for (std::size_t g = 0; g < count; ++g) {
-    const PointGroup& group = groups[list[g].group];
+    const TrianglePacket& group = groups[list[g].group];
     const LaneWeights& weight = weights[list[g].weights];
     for (std::size_t j = 0; j < lanes; ++j) {
       const SeenPoint p = seen_from(shell.centre, group, weight, j);
@@ -118,14 +118,14 @@ inline double factor5(double q, double c) { return 1 + q * (2.5 - 7.5 * c); }
 /// With b = ∫u (x·n): ∫ h f ≈ h f + b·∇f, and the same for f |x|^{−m}, whose gradient along b has the further term
 /// −m (b·x)/|x|² f |x|^{−m}.
 II_VECTOR_CLONES
-void sum_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count,
+void sum_clusters(const MultipolePacket* groups, const std::uint32_t* list, std::size_t count,
                   const FluxSums::Shell& shell_in_memory, LaneSums& out)
 {
   LaneSums sum = out;
   const FluxSums::Shell shell = shell_in_memory;
   const double ox = shell.centre.x, oy = shell.centre.y, oz = shell.centre.z;
   for (std::size_t g = 0; g < count; ++g) {
-    const ClusterGroup& group = groups[list[g]];
+    const MultipolePacket& group = groups[list[g]];
     const double *px = group.point[0], *py = group.point[1], *pz = group.point[2];
     const double *nx = group.area[0], *ny = group.area[1], *nz = group.area[2];
     const double *sxx = group.spread[0][0], *sxy = group.spread[0][1], *sxz = group.spread[0][2];
@@ -174,13 +174,13 @@ void grow_to(double r, const LaneSums& sum, double (&out)[11][lanes])
 /// A line of half width w, its middle t beyond the sphere, is within it by (w − t)²/(4 w) on average, instead of
 /// max(−t, 0): more by (w − |t|)²/(4 w) as long as it is cut.
 II_VECTOR_CLONES
-void sum_kinks(double r, const Vec3& centre, const PointGroup* groups, const LaneWeights* weights,
-               const WeighedGroup* list, std::size_t count, double (&out)[10][lanes])
+void sum_kinks(double r, const Vec3& centre, const TrianglePacket* groups, const LaneWeights* weights,
+               const WeightedPacket* list, std::size_t count, double (&out)[10][lanes])
 {
   LaneSums sum;
   const Vec3 about = centre;
   for (std::size_t g = 0; g < count; ++g) {
-    const PointGroup& group = groups[list[g].group];
+    const TrianglePacket& group = groups[list[g].group];
     const LaneWeights& weight = weights[list[g].weights];
     for (std::size_t j = 0; j < lanes; ++j) {
       const SeenPoint p = seen_from(about, group, weight, j);
@@ -198,8 +198,8 @@ void sum_kinks(double r, const Vec3& centre, const PointGroup* groups, const Lan
 
 }  // namespace
 
-MomentSums kink_at(double r, const Vec3& centre, const PointGroup* groups, const LaneWeights* weights,
-                   const WeighedGroup* list, std::size_t count)
+SolidMoments kink_at(double r, const Vec3& centre, const TrianglePacket* groups, const LaneWeights* weights,
+                     const WeightedPacket* list, std::size_t count)
 {
   alignas(64) double lane[10][lanes];
   sum_kinks(r, centre, groups, weights, list, count, lane);
@@ -208,7 +208,7 @@ MomentSums kink_at(double r, const Vec3& centre, const PointGroup* groups, const
   return {s[0], {s[1], s[2], s[3]}, {s[4], s[5], s[6], s[7], s[8], s[9]}};
 }
 
-void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list,
+void FluxSums::add_points(const TrianglePacket* groups, const LaneWeights* weights, const WeightedPacket* list,
                           std::size_t count, const Shell& shell, Shape shape)
 {
   if (count == 0) return;
@@ -216,13 +216,13 @@ void FluxSums::add_points(const PointGroup* groups, const LaneWeights* weights, 
   sum(groups, weights, list, count, shell, lanes_);
 }
 
-void FluxSums::add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count,
+void FluxSums::add_clusters(const MultipolePacket* groups, const std::uint32_t* list, std::size_t count,
                             const Shell& shell)
 {
   if (count > 0) sum_clusters(groups, list, count, shell, lanes_);
 }
 
-MomentSums FluxSums::up_to(double r) const
+SolidMoments FluxSums::up_to(double r) const
 {
   alignas(64) double lane[11][lanes];
   grow_to(r, lanes_, lane);

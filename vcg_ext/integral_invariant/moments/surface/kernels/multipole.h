@@ -13,7 +13,7 @@ namespace integral_invariant {
 
 /// Triangles, one a lane, each by its centroid, its area vector ∫n and its second moments, the mean of u uᵀ with u from
 /// the centroid (xx, xy, xz, yy, yz, zz).
-struct alignas(64) PointGroup {
+struct alignas(64) TrianglePacket {
   double point[3][kernel_lanes], area[3][kernel_lanes], second[6][kernel_lanes];
 
   void set(std::size_t lane, const std::array<Vec3, 3>& v)
@@ -28,7 +28,7 @@ struct alignas(64) PointGroup {
 };
 
 /// Larger pieces by a point, ∫n, spread[k] = ∫u n_k, u from the point, and the variance if they are about flat.
-struct alignas(64) ClusterGroup {
+struct alignas(64) MultipolePacket {
   double point[3][kernel_lanes], area[3][kernel_lanes], variance[kernel_lanes], inverse_area2[kernel_lanes];
   double spread[3][3][kernel_lanes];
 
@@ -47,7 +47,7 @@ struct alignas(64) LaneWeights {
 };
 
 /// A group of points and its weights, by their places in arrays.
-struct WeighedGroup {
+struct WeightedPacket {
   std::uint32_t group, weights;
 };
 
@@ -66,11 +66,11 @@ class FluxSums {
   /// With their second moments, or as mere points.
   enum class Shape { own, none };
 
-  void add_points(const PointGroup* groups, const LaneWeights* weights, const WeighedGroup* list, std::size_t count,
-                  const Shell& shell, Shape shape);
-  void add_clusters(const ClusterGroup* groups, const std::uint32_t* list, std::size_t count, const Shell& shell);
+  void add_points(const TrianglePacket* groups, const LaneWeights* weights, const WeightedPacket* list,
+                  std::size_t count, const Shell& shell, Shape shape);
+  void add_clusters(const MultipolePacket* groups, const std::uint32_t* list, std::size_t count, const Shell& shell);
   /// Σ h f (1 − (r/|x|)^{d+3}).
-  MomentSums up_to(double r) const;
+  SolidMoments up_to(double r) const;
 
   static constexpr std::size_t sums = 22;
   /// Per lane: ten moments of h f, the same of h f |x|^{−(d+3)}, and what all three diagonal elements of each have
@@ -86,7 +86,7 @@ class FluxSums {
 /// What Σ h f (1 − (r/|x|)^{d+3}) / (d+3) lacks where the sphere r about `centre` cuts triangles. The integrand falls
 /// to nothing there and stays nothing beyond, so that its mean over a triangle is not its value at the centroid.
 /// Triangles count as lines of their own variance along x.
-MomentSums kink_at(double r, const Vec3& centre, const PointGroup* groups, const LaneWeights* weights,
-                   const WeighedGroup* list, std::size_t count);
+SolidMoments kink_at(double r, const Vec3& centre, const TrianglePacket* groups, const LaneWeights* weights,
+                     const WeightedPacket* list, std::size_t count);
 
 }  // namespace integral_invariant
