@@ -16,7 +16,7 @@ namespace integral_invariant {
 /// \param noise_variance σ², L²
 CurvatureTensor correct_ball_bias(const CurvatureTensor& measured, double radius, double offset, double noise_variance);
 
-/// The same for a fit of heights over a disc of radius r (JetFitter::discs), which has the third order alone: the
+/// The same for a fit of heights over a disc of radius r (JetFitter::extend_disc), which has the third order alone: the
 /// height's −(k k₂/8)ρ⁴ reads as (r²/4) k k₂ in the mean curvature and as 3/4 of its share in the deviator.
 CurvatureTensor correct_jet_bias(const CurvatureTensor& measured, double radius);
 
