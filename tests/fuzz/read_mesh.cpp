@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/read_mesh.h"
 
+#include <cmath>
 #include <utility>
 
 #include "support/shapes.h"
@@ -165,6 +166,80 @@ void move(ByteReader& bytes, TriangleMesh& mesh)
         if (std::abs(*x) < double(std::numeric_limits<float>::max())) *x = double(float(*x));
 }
 
+/// Every triangle, or some, with vertices of its own: soups, split normals, seams of texture.
+void split(ByteReader& bytes, bool all, TriangleMesh& mesh)
+{
+  const std::vector<Vec3> shared = mesh.positions;
+  const double rounding = bytes.flag() ? 6e-8 : 0;  // of files in single precision
+  for (Triangle& t : mesh.triangles) {
+    if (!all && bytes.flag()) continue;
+    for (std::int32_t& corner : t) {
+      if (corner < 0 || std::size_t(corner) >= shared.size()) continue;
+      mesh.positions.push_back(shared[std::size_t(corner)] * (1 + rounding * double(mesh.positions.size() % 3)));
+      corner = std::int32_t(mesh.positions.size()) - 1;
+    }
+  }
+}
+
+/// A copy of another size at one of the vertices.
+void add_copy_of_another_size(ByteReader& bytes, TriangleMesh& mesh)
+{
+  const double size = std::pow(10.0, bytes.between(-4, 4));
+  const Vec3 place = mesh.positions[std::size_t(some_vertex(bytes, mesh))];
+  const std::size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
+  for (std::size_t v = 0; v < vertices; ++v) mesh.positions.push_back(mesh.positions[v] * size + place);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    Triangle copy = mesh.triangles[t];
+    for (std::int32_t& corner : copy)
+      if (corner >= 0 && std::size_t(corner) < vertices) corner += std::int32_t(vertices);
+    mesh.triangles.push_back(copy);
+  }
+}
+
+/// Long and thin triangles: the mesh stretched, or vertices drawn close to each other.
+void make_slivers(ByteReader& bytes, TriangleMesh& mesh)
+{
+  if (bytes.flag()) {
+    const double aspect = std::pow(10.0, bytes.between(0, 4));
+    for (Vec3& p : mesh.positions) p.x *= aspect;
+    return;
+  }
+  const double closeness = std::pow(10.0, bytes.between(-6, 0));
+  for (Triangle& t : mesh.triangles) {
+    const std::int32_t a = t[0], b = t[1];
+    const auto count = std::int32_t(mesh.positions.size());
+    if (a < 0 || a >= count || b < 0 || b >= count || bytes.below(4) > 0) continue;
+    Vec3& p = mesh.positions[std::size_t(a)];
+    p += (mesh.positions[std::size_t(b)] - p) * (1 - closeness);
+  }
+}
+
+/// What meshes of every day have: nothing is joined, sizes differ by thousands, triangles are long.
+void arrange(ByteReader& bytes, TriangleMesh& mesh)
+{
+  switch (bytes.below(12)) {
+    case 1:
+      return split(bytes, true, mesh);
+    case 2:
+      return split(bytes, false, mesh);
+    case 3:
+      return add_copy_of_another_size(bytes, mesh);
+    case 4:
+      return make_slivers(bytes, mesh);
+    case 5:
+      add_copy_of_another_size(bytes, mesh);
+      return split(bytes, true, mesh);
+    case 6:
+      make_slivers(bytes, mesh);
+      return split(bytes, true, mesh);
+    case 7:
+      make_slivers(bytes, mesh);
+      return add_copy_of_another_size(bytes, mesh);
+    default:
+      return;
+  }
+}
+
 }  // namespace
 
 TriangleMesh read_mesh(ByteReader& bytes)
@@ -174,6 +249,7 @@ TriangleMesh read_mesh(ByteReader& bytes)
   if (noise % 2) mesh = test_support::with_normal_noise(std::move(mesh), noise * 0.005, noise);
   for (std::uint32_t defects = bytes.below(16); defects > 3; --defects) add_defect(bytes, mesh);
   move(bytes, mesh);
+  arrange(bytes, mesh);
   return mesh;
 }
 

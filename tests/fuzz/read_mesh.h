@@ -7,10 +7,10 @@
 
 namespace fuzz {
 
-/// A small mesh, up to about 200 vertices: a sphere, torus, box, sheet or loose triangles, with whatever defects the
-/// bytes ask for (coordinates that are not finite, points and triangles twice, triangles turned over or without area,
-/// edges with three triangles, vertices without any, indices out of range) and at any scale and distance from the
-/// origin.
+/// A small mesh, mostly up to 200 vertices, 2000 where nothing is joined: a sphere, torus, box, sheet or loose
+/// triangles, with whatever defects the bytes ask for (coordinates that are not finite, points and triangles twice,
+/// triangles turned over or without area, edges with three triangles, vertices without any, indices out of range), at
+/// any scale and distance from the origin, unwelded, of mixed sizes, with long and thin triangles.
 integral_invariant::TriangleMesh read_mesh(ByteReader& bytes);
 
 }  // namespace fuzz
