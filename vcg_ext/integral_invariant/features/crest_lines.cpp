@@ -88,11 +88,11 @@ CrestSegment segment_in(const Triangle& t, const std::vector<Vec3>& positions, c
     const int j = (i + 1) % 3;
     const bool up_i = profile.derivative[t[i]] >= 0 ? sign[i] > 0 : sign[i] < 0;
     const bool up_j = profile.derivative[t[j]] >= 0 ? sign[j] > 0 : sign[j] < 0;
-    if (up_i != up_j && found < 2) segment.side[found++] = i;
+    if (up_i != up_j && found < 2) segment.piece.side[found++] = i;
   }
   if (found < 2) return segment;
   const TriangleFrame frame(t, positions);
-  segment.exists = true;
+  segment.piece.exists = true;
   segment.curvature = kappa;
   const double second = dot(frame.gradient_of(e[0], e[1], e[2]), direction);
   segment.extremum = second < 0 && kappa > rival;
@@ -147,12 +147,12 @@ double weighted_median(std::vector<std::pair<double, double>> values_and_weights
 }
 
 CrestLine measured_line(const Surface& surface, const SurfaceWalk& walk, const Profile& profile,
-                        const std::vector<CrestSegment>& segments, const CrestChain& chain)
+                        const std::vector<CrestSegment>& segments, const Curve& chain)
 {
   CrestLine line;
   line.kind = profile.kind;
   line.closed = chain.closed;
-  for (const CrestStep& step : chain.steps)
+  for (const CurveStep& step : chain.steps)
     line.points.push_back(crossing(surface.triangles()[step.triangle], step.enter, profile));
   if (!chain.closed)
     line.points.push_back(
@@ -186,7 +186,7 @@ void add_lines(const Surface& surface, const Topology& topology, const Profile& 
       from, to);
   const SurfaceWalk walk(surface, topology);
   const double minimum_length = p.minimum_length > 0 ? p.minimum_length : 5 * surface.unit();
-  for (const CrestChain& chain : link_segments(topology, segments, execution)) {
+  for (const Curve& chain : link_segments(topology, segments, execution)) {
     execution.report(to);
     CrestLine line = measured_line(surface, walk, profile, segments, chain);
     if (line.length >= minimum_length && line.strength >= p.minimum_strength && line.sharpness >= p.minimum_sharpness)

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Functions whose zeros are contours, suggestive contours and sections. Cost: O(n).
+#include "integral_invariant/drawing/line_scalars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace integral_invariant {
+
+namespace {
+
+LineScalar empty_scalar(LineKind kind, std::size_t n, Execution& execution)
+{
+  LineScalar s;
+  s.kind = kind;
+  for (auto* values : {&s.value, &s.significance, &s.strength}) resize_in_steps(*values, n, execution);
+  return s;
+}
+
+double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
+}  // namespace
+
+RadialCurvature radial_curvature(const DifferentiatedField& field, std::size_t v, const Vec3& toward)
+{
+  const CurvatureField& k = field.curvature;
+  const double x = dot(toward, k.dir_max[v]), y = dot(toward, k.dir_min[v]);
+  RadialCurvature r;
+  r.cosine = dot(toward, k.normal[v]);
+  r.squared_sine = x * x + y * y;
+  r.scaled = k.kappa_max[v] * x * x + k.kappa_min[v] * y * y;
+  if (!(r.squared_sine > 0)) return r;
+  // Along w = (x, y)/sinθ, which itself turns as the vertex moves: that is what the torsion τ stands for.
+  const double torsion = (k.kappa_min[v] - k.kappa_max[v]) * x * y / r.squared_sine;
+  r.derivative = cubic_form(field.derivative[v], x, y) / r.squared_sine - 2 * r.cosine * torsion * torsion;
+  r.derivative_error =
+      std::hypot(std::sqrt(r.squared_sine) * field.derivative_error[v], 4 * r.cosine * torsion * field.error[v]);
+  return r;
+}
+
+LineScalar contour_scalar(const DifferentiatedField& field, const View& view, Execution& execution)
+{
+  LineScalar s = empty_scalar(LineKind::contour, field.size(), execution);
+  for_each_index(field.size(), execution, [&](std::size_t v) {
+    const CurvatureField& k = field.curvature;
+    const RadialCurvature r = radial_curvature(field, v, view.toward);
+    s.value[v] = r.cosine;
+    s.strength[v] = ratio(r.scaled, r.squared_sine);
+    const double slope =
+        std::hypot(k.kappa_max[v] * dot(view.toward, k.dir_max[v]), k.kappa_min[v] * dot(view.toward, k.dir_min[v]));
+    s.significance[v] = ratio(slope, field.error[v]);
+  });
+  return s;
+}
+
+LineScalar suggestive_scalar(const DifferentiatedField& field, const View& view, LineKind kind, Execution& execution)
+{
+  LineScalar s = empty_scalar(kind, field.size(), execution);
+  const double sign = kind == LineKind::suggestive_contour ? 1 : -1;
+  for_each_index(field.size(), execution, [&](std::size_t v) {
+    const RadialCurvature r = radial_curvature(field, v, view.toward);
+    s.value[v] = r.scaled;
+    if (!(r.cosine > 0)) return;
+    s.significance[v] = sign * ratio(r.derivative, r.derivative_error);
+    s.strength[v] = sign * ratio(r.derivative, std::sqrt(r.squared_sine));
+  });
+  return s;
+}
+
+LineScalar section_scalar(const DifferentiatedField& field, const Vec3& normal, double offset, Execution& execution)
+{
+  LineScalar s = empty_scalar(LineKind::section, field.size(), execution);
+  for_each_index(field.size(), execution, [&](std::size_t v) {
+    s.value[v] = dot(field.position[v], normal) - offset;
+    s.significance[v] = std::numeric_limits<double>::max();
+  });
+  return s;
+}
+
+}  // namespace integral_invariant
