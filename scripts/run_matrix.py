@@ -98,7 +98,7 @@ def host_command(host, mesh, script):
     if host == "2020.09":
         return ["xvfb-run", "-a", f"{BUILD}/meshlab-2020.09/bin/meshlabserver", "-i", mesh, "-s", script]
     folder = f"{BUILD}/hosts/{host}"
-    return [f"{ROOT}/scripts/run_in_host", host, f"{folder}/runner/meshlab_script_runner", "--plugin",
+    return [f"{ROOT}/scripts/hosts/run_in_host", host, f"{folder}/runner/meshlab_script_runner", "--plugin",
             f"{folder}/filter_feature_adapted_ii/libfilter_feature_adapted_ii.so", "-i", mesh, "-s", script]
 
 

@@ -16,7 +16,7 @@ once() {
   # The figures are the paper's, so the method is: its estimator and its radius, unless a run asks for another.
   local published=(estimator=0 scales=8 radius_choice=0)
   if [[ $1 == --filter ]]; then set -- "$1" "$2" "${published[@]}" "${@:3}"; else set -- "${published[@]}" "$@"; fi
-  (run_filter "$mesh" "$data/$name.ply" "$@") >"$data/$name.log.part"
+  run_filter "$mesh" "$data/$name.ply" "$@" >"$data/$name.log.part"
   mv "$data/$name.log.part" "$data/$name.log"
 }
 

@@ -1,83 +1,108 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# One run of the filter by the real meshlabserver, and the picture of its result. Needs common.sh, build.sh.
+# One run of the filter by the real meshlabserver, and the picture of its result. Needs common.sh, screen.sh, build.sh and
+# hosts/meshlab_2020_09.sh.
+
+IDLE_SECONDS=10 # of a reader, after which it is taken to wait for a click
 
 # run_filter MESH OUT.ply [PARAMETER=VALUE ...]: absolute paths. Prints the filter's summary on stdout and leaves the
-# script that was run in $II_BUILD/filter.mlx.
+# script that was run in $work/filter.mlx.
 run_filter() {
-  local mesh=$1 output=$2 folder status=0
+  local mesh=$1 named=$1 output=$2 status=0
   shift 2
-  # Beside the output, so that it appears complete or not at all.
-  folder=$(mktemp -d -p "$(dirname -- "$output")" .curvature.XXXXXX 2>/dev/null) ||
-    die "cannot write into the folder $(dirname -- "$output")."
-  # shellcheck disable=SC2064  # the folder of now
-  trap "rm -rf -- '${folder//\'/\'\\\'\'}'" EXIT
-  write_script "$folder" "$@"
-  run_meshlabserver "$mesh" "$folder" || status=$?
-  if ((status != 0)) || [[ ! -s $folder/export.ply ]]; then
-    cat -- "$folder/log" "$folder/messages" >"$II_BUILD/meshlabserver.log"
-    die "$(failure_reason "$folder" "$status") [log: $II_BUILD/meshlabserver.log]"
+  new_work_folder work "$(dirname -- "$output")" # beside the output, so that it appears complete or not at all
+  write_script "$@"
+  if [[ ${mesh,,} == *.obj ]]; then # MeshLab 2020.09 aborts on all that name their first vertex
+    /usr/bin/python3 "$II_ROOT/scripts/lib/obj_to_ply.py" "$mesh" "$work/mesh.ply" 2>"$work/refusal" || die "$(tail -n 1 "$work/refusal")"
+    mesh=$work/mesh.ply
   fi
-  filter_log "$folder"
-  cp -- "$folder/filter.mlx" "$II_BUILD/filter.mlx"
-  mv -f -- "$folder/export.ply" "$output" || die "cannot write $output."
+  start_screen
+  run_meshlabserver "$mesh" || status=$?
+  if ((status != 0)) || [[ ! -s $work/export.ply ]]; then die "$(failure_reason "$named" "$status")"; fi
+  filter_log
+  mv -f -T -- "$work/export.ply" "$output" || die "cannot write $output."
 }
 
 write_script() {
-  local folder=$1 parameter
-  shift
+  local parameter
   for parameter in "$@"; do
     [[ $parameter != export_file=* ]] || die "the output is named by the second argument, not by export_file."
   done
-  "$II_BUILD/filter_feature_adapted_ii/write_filter_script" "$@" "export_file=$folder/export.ply" >"$folder/filter.mlx" \
-    2>"$folder/refusal" || die "$(sed 's/^write_filter_script: //' "$folder/refusal")"
+  "$WRITER" "$@" "export_file=$work/export.ply" >"$work/filter.mlx" 2>"$work/refusal" ||
+    die "$(sed 's/^write_filter_script: //' "$work/refusal")"
 }
 
-# meshlabserver prints the filter's log among its own words on stdout; Qt's messages have it line by line.
+# meshlabserver prints the filter's log among its own words on stdout; Qt's messages have it line by line. The language is
+# nobody's: where the decimal mark is a comma, MeshLab would read 0.5 as 0.
 run_meshlabserver() {
-  local mesh=$1 folder=$2
-  QT_ASSUME_STDERR_HAS_CONSOLE=1 QT_LOGGING_RULES='*.debug=true' \
-    xvfb-run -a stdbuf -o0 "$II_BUILD/meshlab-2020.09/bin/meshlabserver" -i "$mesh" -s "$folder/filter.mlx" \
-    2>"$folder/messages" | tee "$folder/log" | show_progress
+  local mesh=$1 server
+  LC_ALL=C.UTF-8 QT_ASSUME_STDERR_HAS_CONSOLE=1 QT_LOGGING_RULES='*.debug=true' \
+    stdbuf -o0 "$MESHLAB_2020_09/bin/meshlabserver" -i "$mesh" -s "$work/filter.mlx" >"$work/log" 2>"$work/messages" &
+  server=$!
+  end_where_a_window_waits "$server" &
+  if [[ -t 2 ]]; then
+    show_progress "$server"
+  fi
+  wait "$server" 2>/dev/null
 }
 
-filter_log() { sed -n '/^LOG: [0-9]* Exported: /d; s/^LOG: [0-9]* //p' "$1/messages"; }
+mesh_is_loaded() { grep -q ' loaded has ' "$work/log"; }
 
+# A reader that finds fault with a file may say so in a window, and waits for a click that nobody can make here.
+end_where_a_window_waits() {
+  local server=$1 idle=0 ticks before=
+  while ((idle < IDLE_SECONDS)); do
+    sleep 1
+    ticks=$(cut -d ' ' -f 3,14,15 "/proc/$server/stat" 2>/dev/null) || return 0
+    if mesh_is_loaded; then return; fi
+    if [[ $ticks == "$before" ]]; then ((++idle)); else idle=0; fi
+    before=$ticks
+  done
+  touch "$work/window"
+  kill "$server"
+}
+
+filter_log() { sed -n '/^LOG: [0-9]* Exported: /d; s/^LOG: [0-9]* //p' "$work/messages"; }
+
+# failure_reason MESH STATUS: in words; where they may not be enough, MeshLab's own are kept beside the output.
 failure_reason() {
-  local folder=$1 status=$2 reason
-  reason=$(filter_log "$folder" | tail -n 1)
-  if grep -q 'not possible to import mesh' "$folder/log"; then
-    echo "MeshLab cannot read the mesh (is it damaged, or of another format than its name says?)"
-  elif [[ -n $reason ]]; then
-    echo "the filter refused: $reason"
+  local mesh=$1 status=$2 log=${output%.ply}.log
+  if [[ -e $work/window ]] || grep -q 'not possible to import mesh' "$work/log"; then
+    echo "MeshLab cannot read the mesh $mesh. Is it damaged, or of another format than its name says? $READABLE"
+    return
+  elif ((status <= 128)) && [[ -n $(filter_log) ]]; then
+    echo "the filter refused: $(filter_log | tail -n 1)"
+    return
+  fi
+  cat -- "$work/log" "$work/messages" >"$log"
+  if ((status > 128)) && ! mesh_is_loaded; then
+    echo "MeshLab's reader crashed (signal $((status - 128))) on the mesh $mesh. It is damaged or unusual: save it as PLY with another program. [log: $log]"
   elif ((status > 128)); then
-    echo "meshlabserver was ended by signal $((status - 128)): $(tail -n 1 "$folder/messages")"
+    echo "MeshLab was ended (signal $((status - 128))) while the filter ran; the system does so where memory is short. [log: $log]"
   else
-    echo "meshlabserver failed with status $status: $(tail -n 1 "$folder/log")"
+    echo "meshlabserver failed with status $status. [log: $log]"
   fi
 }
+READABLE="Formats that can be read: PLY, STL, OFF, OBJ, 3DS, DAE, CTM, X3D, WRL."
 
-# show_progress: meshlabserver's output in; out, on one line of the terminal, its lines that are reports of progress.
+# show_progress SERVER: while it runs, the newest report of progress in its log, on one line of the terminal.
 show_progress() {
   local line
   while IFS= read -r line; do
-    if [[ -t 2 && $line =~ ^(.*):\ ([0-9]+)%$ ]]; then
-      printf '\r\033[K%3d %%  %s' "${BASH_REMATCH[2]}" "${BASH_REMATCH[1]}" >&2
-    fi
-  done
-  if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
+    if [[ $line =~ ^(.*):\ ([0-9]+)%$ ]]; then printf '\r\033[K%3d %%  %s' "${BASH_REMATCH[2]}" "${BASH_REMATCH[1]}" >&2; fi
+  done < <(tail -f -s 0.1 -n +1 --pid="$1" "$work/log")
+  printf '\r\033[K' >&2
 }
 
 # draw_picture OUT.ply OUT.png: of the quality that the last filter script asked for.
 draw_picture() {
-  local script=$II_BUILD/filter.mlx choice name percentile
+  local choice name
   choice=$(script_value quality)
-  percentile=$(script_value color_percentile)
-  name=$(sed -n "s/.* name=\"quality\" .* enum_val$choice=\"\([^\"]*\)\".*/\1/p" "$script")
+  name=$(sed -n "s/.* name=\"quality\" .* enum_val$choice=\"\([^\"]*\)\".*/\1/p" "$work/filter.mlx")
   # shellcheck disable=SC2086  # options of the user's, one word each
-  xvfb-run -a "$II_ROOT/scripts/render_curvature.py" "$1" "$2" --quality-is "$name" --percentile "$percentile" \
-    ${II_RENDER_OPTIONS:-} ||
+  run_job "$II_ROOT/scripts/render_curvature.py" "$1" "$work/picture.png" --quality-is "$name" \
+    --percentile "$(script_value color_percentile)" ${II_RENDER_OPTIONS:-} && mv -f -T -- "$work/picture.png" "$2" ||
     die "wrote $1, but not its picture."
 }
 
-script_value() { sed -n "s/.* name=\"$1\" value=\"\([^\"]*\)\".*/\1/p" "$II_BUILD/filter.mlx"; }
+script_value() { sed -n "s/.* name=\"$1\" value=\"\([^\"]*\)\".*/\1/p" "$work/filter.mlx"; }

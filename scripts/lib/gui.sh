@@ -1,23 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# MeshLab's window on a virtual screen, driven as a person would. Needs common.sh, host_root.sh.
-
-PACKAGES_GUI=(xvfb xauth openbox xdotool scrot fonts-dejavu-core libgl1-mesa-dri)
-SCREEN_SIZE=1500x1300
-
-# start_screen: sets DISPLAY to a virtual screen with a window manager, which ends with this script.
-start_screen() {
-  local number
-  exec {number}< <(exec Xvfb -displayfd 1 -screen 0 "${SCREEN_SIZE}x24" -nolisten tcp 2>/dev/null)
-  screen_pid=$!
-  read -r -t 20 -u "$number" DISPLAY || die "Xvfb does not start."
-  DISPLAY=:$DISPLAY
-  export DISPLAY
-  openbox >/dev/null 2>&1 &
-  window_manager_pid=$!
-}
-
-stop_screen() { kill "${window_manager_pid:-}" "${screen_pid:-}" 2>/dev/null || true; }
+# MeshLab's window on a virtual screen, driven as a person would. Needs all.sh.
 
 # wait_until SECONDS WHAT COMMAND...: until COMMAND succeeds; WHAT is for the sentence when it never does.
 wait_until() {
@@ -44,10 +27,10 @@ start_meshlab() {
   mkdir -p "$home" "$work/runtime"
   chmod 700 "$work/runtime"
   if [[ $release == 2020.09 ]]; then
-    HOME=$home XDG_RUNTIME_DIR=$work/runtime "$II_BUILD/meshlab-2020.09/bin/meshlab" "$mesh" >"$log" 2>&1 &
+    HOME=$home XDG_RUNTIME_DIR=$work/runtime "$MESHLAB_2020_09/bin/meshlab" "$mesh" >"$log" 2>&1 &
   else
     install_user_plugin "$release" "$home"
-    HOME=$home XDG_RUNTIME_DIR=$work/runtime "$II_ROOT/scripts/run_in_host" "$release" meshlab "$mesh" >"$log" 2>&1 &
+    HOME=$home XDG_RUNTIME_DIR=$work/runtime "$II_ROOT/scripts/hosts/run_in_host" "$release" meshlab "$mesh" >"$log" 2>&1 &
   fi
   meshlab_pid=$!
   wait_until 60 "the mesh to be opened" logged "All files opened"
@@ -60,7 +43,7 @@ start_meshlab() {
 install_user_plugin() {
   local folder=$2/.local/share/VCG/MeshLab_64bit_fp/MeshLabExtraPlugins/$1
   mkdir -p "$folder"
-  cp "$(host_build_dir "$1")/filter_feature_adapted_ii/libfilter_feature_adapted_ii.so" "$folder/"
+  cp "$(host_build_dir "$1")/$PLUGIN" "$folder/"
 }
 
 stop_meshlab() {

@@ -97,7 +97,7 @@ HostRun run_script(const Host& host, const std::string& mesh_file, const std::st
 
 std::vector<std::string> runner_command(const std::string& release, const std::vector<std::string>& arguments)
 {
-  std::vector<std::string> command = {source_folder() + "/scripts/run_in_host", release,
+  std::vector<std::string> command = {source_folder() + "/scripts/hosts/run_in_host", release,
                                       build_folder() + "/hosts/" + release + "/runner/meshlab_script_runner"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;

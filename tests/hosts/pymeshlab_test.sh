@@ -4,8 +4,7 @@
 # Usage: pymeshlab_test.sh CORE_CURVATURE SAMPLE_MESH. Exit status 77: not run, with the reason.
 set -euo pipefail
 source_folder=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-source "$source_folder/scripts/lib/common.sh"
-source "$source_folder/scripts/lib/pymeshlab.sh"
+source "$source_folder/scripts/lib/all.sh"
 core_curvature=$1
 sample_mesh=$2
 
@@ -14,8 +13,7 @@ not_run() {
   exit 77
 }
 
-folder=$(mktemp -d)
-trap 'rm -rf -- "$folder"' EXIT
+new_work_folder folder
 plugin=${II_BUILD:-$II_ROOT/build/release}/hosts/2025.07-double/filter_feature_adapted_ii/libfilter_feature_adapted_ii.so
 [[ -f $plugin ]] || not_run "there is no $plugin; scripts/test makes it"
 # In a shell of its own: the end of make_pymeshlab by die must not end this one.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
 # Later MeshLab releases on a machine whose own MeshLab is another: the packages of another Debian suite, unpacked into a
-# folder, whose programs run with that folder's own libraries. No root rights, no chroot. Needs common.sh,
-# debian_archive.sh, meshlab_source.sh.
+# folder, whose programs run with that folder's own libraries, and builds of the plugin and the runner for them. No root
+# rights, no chroot. Needs common.sh, build.sh, debian_archive.sh, meshlab_source.sh.
 
 host_root_dir() { printf '%s/root-%s\n' "$II_CACHE" "$1"; }
 
@@ -54,4 +54,28 @@ write_fonts_conf() {
   printf '<?xml version="1.0"?>\n<fontconfig><dir>%s/usr/share/fonts</dir><cachedir prefix="xdg">fontconfig</cachedir></fontconfig>\n' \
     "$1" >"$file.$$"
   mv "$file.$$" "$file"
+}
+
+host_build_dir() { printf '%s/hosts/%s\n' "$II_BUILD" "$1"; }
+
+# build_for_release RELEASE: its root, and plugin and runner in $(host_build_dir RELEASE), linked to the root's library.
+build_for_release() {
+  local release=$1 folder library
+  fetch_meshlab_source "$release"
+  make_host_root "$release"
+  folder=$(host_build_dir "$release")
+  library=$(echo "$(host_root_dir "$release")"/usr/lib/*/meshlab/libmeshlab-common.so)
+  configure_once release "$folder" "-DMESHLAB_SOURCE_DIR=$(meshlab_source_dir "$release")" -DII_BUILD_TESTS=OFF \
+    -DII_BUILD_BENCHMARKS=OFF "-DMESHLAB_COMMON_LIBRARY=$library"
+  build "$folder" filter_feature_adapted_ii meshlab_script_runner
+}
+
+# build_for_pymeshlab: the plugin for PyMeshLab 2025.7, whose meshes are of double precision.
+build_for_pymeshlab() {
+  local folder
+  fetch_meshlab_source 2025.07
+  folder=$(host_build_dir 2025.07-double)
+  configure_once release "$folder" "-DMESHLAB_SOURCE_DIR=$(meshlab_source_dir 2025.07)" -DII_BUILD_TESTS=OFF \
+    -DII_BUILD_BENCHMARKS=OFF -DMESHLAB_SCALAR=double
+  build "$folder" filter_feature_adapted_ii
 }
