@@ -3,6 +3,8 @@
 #include "filter_script.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "filters.h"
 
@@ -58,11 +60,23 @@ const char* mlx_type(Kind kind)
   return "";
 }
 
+/// MeshLab reads numbers in single precision, and 2020.09 aborts on one that this cannot hold.
+void require_single_precision(const ParameterSpec& spec, double value)
+{
+  using Single = std::numeric_limits<float>;
+  if (value == 0 || (std::abs(value) >= Single::min() && std::abs(value) <= Single::max())) return;
+  throw ParameterError(
+      "The parameter '" + std::string(spec.name) + "' is " + number_text(value) +
+      ", but MeshLab reads numbers in single precision: 0, or from 1.2e-38 to 3.4e38 in size. Scale the "
+      "mesh, and this parameter with it.");
+}
+
 std::string value_text(const ParameterSpec& spec, const Request& request)
 {
   if (spec.kind == Kind::save_file) return request.output.export_file;
   const double value = spec.get(request);
   if (spec.kind == Kind::boolean) return value != 0 ? "true" : "false";
+  require_single_precision(spec, value);
   return number_text(value);
 }
 

@@ -12,6 +12,7 @@ namespace integral_invariant::filter {
 void store_assignment(const std::string& assignment, Request& request, FilterId filter = FilterId::curvature);
 
 /// An .mlx that applies the filter with every parameter: MeshLab 2020.09 accepts no fewer. All releases read it.
+/// \throw ParameterError for a value that MeshLab's single precision cannot hold
 std::string filter_script(const Request& request, FilterId filter = FilterId::curvature);
 
 /// The parameters as a Markdown table.

@@ -21,10 +21,13 @@ configure() {
     die "cmake cannot configure the build; see $folder/log: $(grep -m 1 -A 3 'CMake Error' "$folder/log")"
 }
 
-# configure_once: the same, unless the folder was configured for the same MeshLab before, however else.
+# configure_once: the same, where the folder was not configured before; for another MeshLab than the first ARGUMENT names,
+# by this argument alone.
 configure_once() {
-  if [[ ! -f $2/build.ninja ]] || made_elsewhere "$2" || ! grep -qxF -- "${3#-D}" <(sed 's/:[A-Z]*=/=/' "$2/CMakeCache.txt"); then
+  if [[ ! -f $2/build.ninja ]] || made_elsewhere "$2"; then
     configure "$@"
+  elif ! grep -qxF -- "${3#-D}" <(sed 's/:[A-Z]*=/=/' "$2/CMakeCache.txt"); then
+    configure "${@:1:3}"
   fi
 }
 

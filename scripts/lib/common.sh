@@ -87,7 +87,7 @@ end_children() {
 make_once() {
   if [[ -d $1 ]]; then return; fi
   mkdir -p -- "$(dirname -- "$1")" 2>/dev/null && : 2>/dev/null >>"$1.lock" ||
-    die "cannot write into the folder $(dirname -- "$1"). Name one of your own in the environment variable II_CACHE."
+    die "the cache folder $(dirname -- "$1") cannot be written. Name one of your own in the environment variable II_CACHE."
   run_job make_locked "$@" 9>>"$1.lock"
 }
 

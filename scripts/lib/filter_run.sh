@@ -4,6 +4,7 @@
 # hosts/meshlab_2020_09.sh.
 
 IDLE_SECONDS=10 # of a reader, after which it is taken to wait for a click
+REFUSED=255 # meshlabserver's exit status where a filter or a reader did
 
 # run_filter MESH OUT.ply [PARAMETER=VALUE ...]: absolute paths. Prints the filter's summary on stdout and leaves the
 # script that was run in $work/filter.mlx.
@@ -70,17 +71,15 @@ failure_reason() {
   if [[ -e $work/window ]] || grep -q 'not possible to import mesh' "$work/log"; then
     echo "MeshLab cannot read the mesh $mesh. Is it damaged, or of another format than its name says? $READABLE"
     return
-  elif ((status <= 128)) && [[ -n $(filter_log) ]]; then
+  elif ((status == REFUSED)) && [[ -n $(filter_log) ]]; then
     echo "the filter refused: $(filter_log | tail -n 1)"
     return
   fi
   cat -- "$work/log" "$work/messages" >"$log"
-  if ((status > 128)) && ! mesh_is_loaded; then
+  if ! mesh_is_loaded; then
     echo "MeshLab's reader crashed (signal $((status - 128))) on the mesh $mesh. It is damaged or unusual: save it as PLY with another program. [log: $log]"
-  elif ((status > 128)); then
-    echo "MeshLab was ended (signal $((status - 128))) while the filter ran; the system does so where memory is short. [log: $log]"
   else
-    echo "meshlabserver failed with status $status. [log: $log]"
+    echo "MeshLab ended with status $status while the filter ran; the system ends programs where memory is short. [log: $log]"
   fi
 }
 READABLE="Formats that can be read: PLY, STL, OFF, OBJ, 3DS, DAE, CTM, X3D, WRL."

@@ -82,7 +82,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   is_taken([&] { find_filter(arguments.front()); });
   is_taken([&] { runner::parse_command_line(arguments); });
 
-  const fuzz::ReadScript script = fuzz::read_script(filter_script(request, filter));
+  std::string text;
+  if (!is_taken([&] { text = filter_script(request, filter); })) return 0;
+  const fuzz::ReadScript script = fuzz::read_script(text);
   fuzz::require(find_filter(script.filter) == filter, "a script names its filter");
   Request read;
   for (const std::string& assignment : script.assignments)

@@ -63,6 +63,25 @@ TEST(FilterScript, RefusesWhatItDoesNotKnow)
   EXPECT_THROW(store_assignment("alpha=100", request), ParameterError);
 }
 
+/// What single precision cannot hold is not written: MeshLab 2020.09 aborts on it.
+TEST(FilterScript, RefusesValuesBeyondSinglePrecisionByName)
+{
+  for (const char* assignment : {"radius=1e39", "noise=1e-50", "r_max=4e38", "r_min=1e-38"}) {
+    Request request;
+    store_assignment(assignment, request);
+    try {
+      filter_script(request);
+      FAIL() << assignment;
+    } catch (const ParameterError& error) {
+      const std::string name(assignment, std::string(assignment).find('='));
+      EXPECT_TRUE(contains(error.what(), "'" + name + "'")) << error.what();
+    }
+  }
+  Request request;
+  for (const char* assignment : {"radius=3e38", "noise=1.3e-38", "r_max=0"}) store_assignment(assignment, request);
+  EXPECT_TRUE(contains(filter_script(request), "value=\"3e+38\""));
+}
+
 TEST(FilterScript, DocumentationHasARowForEveryParameter)
 {
   const std::string text = parameter_documentation();

@@ -204,7 +204,12 @@ std::vector<Action> about_scripts()
             Request request;
             store_assignment("sugar=2", request);
           },
-          [] { find_filter("Make Coffee"); }};
+          [] { find_filter("Make Coffee"); },
+          [] {
+            Request request;
+            store_assignment("radius=1e39", request);
+            filter_script(request);
+          }};
 }
 
 /// Each action refuses with a listed message, and each listed message is that of an action.
