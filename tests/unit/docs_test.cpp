@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the documentation: every link inside the project leads somewhere, every file that is named exists.
+// The pages of the documentation: every link inside the project leads somewhere, every file and member that is named
+// exists.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -123,6 +125,48 @@ TEST(Docs, NamedFilesExist)
   for (const fs::path& page : pages())
     for (const std::string& name : named_files_of(page))
       EXPECT_TRUE(exists_in_tree(name)) << fs::relative(page, root).string() << ": " << name;
+}
+
+/// Members in code quotes, such as `NoiseLevel::sigma`.
+std::vector<std::string> named_members_of(const fs::path& page)
+{
+  static const std::regex pattern(R"(`([A-Z][A-Za-z0-9]*::[a-z_0-9]+)(?:\(\))?`)");
+  return matches(page, pattern);
+}
+
+std::vector<std::string> sources()
+{
+  std::vector<std::string> texts;
+  for (const char* folder : {"vcg_ext", "filter_feature_adapted_ii"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+        texts.push_back(text_of(entry.path()));
+  return texts;
+}
+
+bool has_word(const std::string& text, const std::string& word)
+{
+  const auto is_part = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    if (!(at > 0 && is_part(at - 1)) && !is_part(at + word.size())) return true;
+  return false;
+}
+
+TEST(Docs, NamedMembersExist)
+{
+  const std::vector<std::string> texts = sources();
+  for (const fs::path& page : pages())
+    for (const std::string& name : named_members_of(page)) {
+      const std::string type = name.substr(0, name.find(':')), member = name.substr(name.rfind(':') + 1);
+      EXPECT_TRUE(std::any_of(texts.begin(), texts.end(),
+                              [&](const std::string& text) {
+                                return (has_word(text, "struct " + type) || has_word(text, "class " + type)) &&
+                                       has_word(text, member);
+                              }))
+          << fs::relative(page, root).string() << ": " << name;
+    }
 }
 
 TEST(Docs, ALinkThatLeadsNowhereIsFound)
