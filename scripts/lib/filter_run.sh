@@ -21,7 +21,17 @@ run_filter() {
   run_meshlabserver "$mesh" || status=$?
   if ((status != 0)) || [[ ! -s $work/export.ply ]]; then die "$(failure_reason "$named" "$status")"; fi
   filter_log
+  if [[ ${named,,} == *.ply ]]; then keep_properties "$named"; fi
   mv -f -T -- "$work/export.ply" "$output" || die "cannot write $output."
+}
+
+# keep_properties MESH.ply: the export becomes that file with the results added.
+keep_properties() {
+  local reason
+  reason=$(/usr/bin/python3 "$II_ROOT/scripts/lib/keep_properties.py" "$1" "$work/export.ply" "$work/kept.ply" 2>"$work/refusal") ||
+    die "cannot write $output: $(tail -n 1 "$work/refusal")"
+  if [[ -n $reason ]]; then note "of $1 there is in $output what MeshLab reads: $reason"; fi
+  mv -f -T -- "$work/kept.ply" "$work/export.ply"
 }
 
 write_script() {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/messages.md lists what scripts/curvature says besides its results: each sentence is provoked here, and what is said
-// is listed there.
+// docs/messages.md lists what scripts/curvature says besides its results: each sentence is provoked here, and what is
+// said is listed there.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -45,22 +46,25 @@ class CurvatureMessages : public testing::Test {
 
   void keep(const std::string& sentence, const std::string& command)
   {
-    const auto found = std::find_if(listed_.begin(), listed_.end(), [&](const auto& l) { return is_message(sentence, l); });
+    const auto found =
+        std::find_if(listed_.begin(), listed_.end(), [&](const auto& l) { return is_message(sentence, l); });
     if (found == listed_.end())
       ADD_FAILURE() << command << " says what is not listed: " << sentence;
     else
       met_.insert(*found);
   }
 
-  /// A checkout of which only what the script itself needs is there, with these programs (name and body) before those of
-  /// the machine, and sources of MeshLab that are taken for fetched. Begins a command whose $curvature is its script.
+  /// A checkout of which only what the script itself needs is there, with these programs (name and body) before those
+  /// of the machine, and sources of MeshLab that are taken for fetched. Begins a command whose $curvature is its
+  /// script.
   std::string checkout(const std::string& name, const std::vector<std::pair<std::string, std::string>>& programs)
   {
     const fs::path root = folder_.path() / name;
     fs::create_directories(root / "programs");
     fs::create_directories(root / ".cache/meshlab-2020.09");
     fs::copy(source_folder() + "/scripts", root / "scripts", fs::copy_options::recursive);
-    for (const char* file : {"CMakeLists.txt", "CMakePresets.json"}) fs::copy(source_folder() + "/" + file, root / file);
+    for (const char* file : {"CMakeLists.txt", "CMakePresets.json"})
+      fs::copy(source_folder() + "/" + file, root / file);
     for (const auto& [program, body] : programs) {
       write_text((root / "programs" / program).string(), "#!/bin/sh\n" + body + "\n");
       fs::permissions(root / "programs" / program, fs::perms(0755));
@@ -75,10 +79,7 @@ class CurvatureMessages : public testing::Test {
 };
 
 /// Prefix of a command that runs as a user who owns nothing here: the administrator may write everywhere.
-std::string as_another_user()
-{
-  return geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
-}
+std::string as_another_user() { return geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : ""; }
 
 TEST_F(CurvatureMessages, AreAllListedAndProvoked)
 {
@@ -101,7 +102,8 @@ TEST_F(CurvatureMessages, AreAllListedAndProvoked)
   write_text(folder_ / "no_vertex.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
   write_text(folder_ / "flat.obj", "v 0 0\n");
   write_text(folder_ / "other.obj", "solid cube\n");
-  for (const char* mesh : {"no_number.obj", "no_vertex.obj", "flat.obj", "other.obj"}) say(std::string("$curvature ") + mesh);
+  for (const char* mesh : {"no_number.obj", "no_vertex.obj", "flat.obj", "other.obj"})
+    say(std::string("$curvature ") + mesh);
   write_text(folder_ / "broken.ply", "this is no mesh\n");
   say("$curvature broken.ply");
   write_text(folder_ / "crash.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 77777777\n");
@@ -110,18 +112,33 @@ TEST_F(CurvatureMessages, AreAllListedAndProvoked)
   say("$curvature window.x3d");
 
   // About the filter and the picture.
-  write_text(folder_ / "points.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                                     "property float z\nend_header\n0 0 0\n");
+  write_text(folder_ / "points.ply",
+             "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+             "property float z\nend_header\n0 0 0\n");
   say("$curvature points.ply");
   write_ply(folder_ / "big.ply", icosphere(7));
-  say("(until grep -qs 'loaded has' .curvature.*/log; do sleep 0.1; done; pkill -KILL -f \"meshlabserver -i $PWD/big.ply\") &\n"
+  say("(until grep -qs 'loaded has' .curvature.*/log; do sleep 0.1; done; pkill -KILL -f \"meshlabserver -i "
+      "$PWD/big.ply\") &\n"
       "$curvature big.ply engine=0 scales=20 radius_choice=0 estimator=0");
   say("$curvature quality=1");
+
+  // About what the user's file has and MeshLab does not read.
+  const std::string mesh = read_text(folder_ / "mesh.ply"), end = "end_header\n";
+  const std::size_t vertices = mesh.find("element vertex"), body = mesh.find(end) + end.size();
+  write_text(folder_ / "camera.ply", mesh.substr(0, vertices) + "element camera 1\nproperty int lens\n" +
+                                         mesh.substr(vertices, body - vertices) + "lens" + mesh.substr(body));
+  say("$curvature camera.ply");
+  std::map<std::string, std::vector<double>> many;
+  const TriangleMesh ball = icosphere(3);
+  for (int i = 0; i < 200; ++i) many["property_" + std::to_string(i)].resize(ball.positions.size());
+  write_ply(folder_ / "many.ply", ball, many);
+  say("(ulimit -f 300; trap '' XFSZ; $curvature many.ply)");
   say("II_RENDER_OPTIONS=--nonsense $curvature mesh.ply");
 
   // About packages and the build.
   const std::pair<std::string, std::string> no_cmake{"cmake", "echo 'CMake Error: not today'; exit 1"};
-  say(checkout("bare", {{"dpkg-query", "exit 1"}, {"apt-get", "exit 1"}, {"sudo", "exec \"$@\""}}) + "$curvature mesh.ply");
+  say(checkout("bare", {{"dpkg-query", "exit 1"}, {"apt-get", "exit 1"}, {"sudo", "exec \"$@\""}}) +
+      "$curvature mesh.ply");
   say(checkout("failing", {{"cmake", "exit 0"}, {"ninja", "echo 'error: not today'; exit 1"}}) + "$curvature mesh.ply");
   const std::string elsewhere = "CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n";
   const std::string moved = checkout("moved", {no_cmake});
@@ -132,7 +149,8 @@ TEST_F(CurvatureMessages, AreAllListedAndProvoked)
   fs::create_directory(folder_.path() / "foreign");
   write_text(folder_ / "foreign/CMakeCache.txt", elsewhere);
   say(moved + "II_BUILD=$PWD/foreign $curvature mesh.ply");
-  say(moved + "chmod -R a-w moved; II_CACHE=$PWD/moved/.cache " + as_another_user() + "$curvature mesh.ply; chmod -R u+w moved");
+  say(moved + "chmod -R a-w moved; II_CACHE=$PWD/moved/.cache " + as_another_user() +
+      "$curvature mesh.ply; chmod -R u+w moved");
   say(moved + "II_CACHE=$PWD/locked/cache " + as_another_user() + "$curvature mesh.ply");
 
   for (const std::string& message : listed_) EXPECT_TRUE(met_.count(message)) << "nothing provokes: " << message;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <sstream>
 
 #include "hosts/host.h"
 #include "support/shapes.h"
@@ -79,6 +80,38 @@ TEST_F(CurvatureScript, ReadsOtherFormatsAndWritesWhereItIsTold)
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_EQ(read_ply(folder_ / "results/here.ply").property("ii_kmax").size(), mesh.positions.size());
   EXPECT_TRUE(fs::exists(folder_ / "results/here.png"));
+}
+
+TEST_F(CurvatureScript, KeepsAllThatThePlyFileHad)
+{
+  const TriangleMesh mesh = torus(1, 0.4, 30, 16);
+  const std::size_t n = mesh.positions.size();
+  std::string header =
+      "ply\nformat ascii 1.0\ncomment scanned on a Tuesday\nelement vertex " + std::to_string(n) +
+      "\nproperty double x\nproperty double y\nproperty double z\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nproperty float temperature\nelement face " +
+      std::to_string(mesh.triangles.size()) +
+      "\nproperty list uchar int vertex_indices\nelement sensor 1\nproperty int serial\nend_header\n";
+  std::ostringstream rows;
+  rows.precision(17);
+  for (std::size_t v = 0; v < n; ++v)
+    rows << mesh.positions[v].x << ' ' << mesh.positions[v].y << ' ' << mesh.positions[v].z << " 10 20 30 " << v
+         << '\n';
+  for (const Triangle& t : mesh.triangles) rows << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  write_text(folder_ / "rich.ply", header + rows.str() + "4711\n");
+  const ProgramResult run = curvature({"rich.ply"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  const PlyFile found = read_ply(folder_ / "rich_curvature.ply");
+  for (std::size_t v = 0; v < n; ++v) {
+    EXPECT_EQ(found.property("x")[v], mesh.positions[v].x);
+    EXPECT_EQ(found.property("temperature")[v], double(v));
+    EXPECT_EQ(found.property("original_green")[v], 20);
+  }
+  EXPECT_EQ(found.property("ii_kmax").size(), n);
+  EXPECT_EQ(found.triangles, mesh.triangles);
+  const std::string text = read_text(folder_ / "rich_curvature.ply");
+  for (const char* kept : {"comment scanned on a Tuesday\n", "property double y\n", "element sensor 1\n", "\n4711\n"})
+    EXPECT_NE(text.find(kept), std::string::npos) << kept;
 }
 
 TEST_F(CurvatureScript, ListsTheParameters)
