@@ -117,8 +117,8 @@ class Folder {
 bool has_program(const std::string& name) { return std::system(("command -v " + name + " > /dev/null").c_str()) == 0; }
 bool runs(const std::string& command) { return std::system((command + " > /dev/null").c_str()) == 0; }
 
-/// Whether the picture, 10 pixels a millimetre, has its leftmost and rightmost dark pixel of the row through the middle of
-/// the front's circle where they belong, within 0.1 mm. A raw grey picture: P5, width, height, 255.
+/// Whether the picture, 10 pixels a millimetre, has its leftmost and rightmost dark pixel of the row through the middle
+/// of the front's circle where they belong, within 0.1 mm. A raw grey picture: P5, width, height, 255.
 void expect_circle_in_picture(const std::string& pgm, const Sheet& sheet)
 {
   std::ifstream in(pgm, std::ios::binary);
