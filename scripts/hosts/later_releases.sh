@@ -67,7 +67,7 @@ build_for_release() {
   library=$(echo "$(host_root_dir "$release")"/usr/lib/*/meshlab/libmeshlab-common.so)
   configure_once release "$folder" "-DMESHLAB_SOURCE_DIR=$(meshlab_source_dir "$release")" -DII_BUILD_TESTS=OFF \
     -DII_BUILD_BENCHMARKS=OFF "-DMESHLAB_COMMON_LIBRARY=$library"
-  build "$folder" filter_feature_adapted_ii meshlab_script_runner
+  build "$folder" filter_feature_adapted_ii meshlab_script_runner write_filter_script
 }
 
 # build_for_pymeshlab: the plugin for PyMeshLab 2025.7, whose meshes are of double precision.

@@ -1,25 +1,17 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Usage: scripts/gui_screenshots [-o FOLDER] [-m MESH] [RELEASE ...]
+# Usage: window_test.sh [MESH]
 #
-# Uses the plugin in MeshLab's window as a person would: opens a mesh, finds the filter by Ctrl+F, applies it, shows the
-# directions, and leaves pictures of each step in FOLDER (default build/release/screenshots). RELEASE is 2020.09 or 2025.07
-# (default: both). MeshLab runs on a virtual screen; it fails where MeshLab's log does not say what it should.
-# Without MESH, the project's sample is shown.
+# Uses the plugin in MeshLab's window as a person would, in each release that scripts/test has prepared: opens a mesh (by
+# default the project's sample), finds the filter by Ctrl+F, applies it, shows the directions, and leaves pictures of each
+# step in screenshots in the build's folder. It fails where MeshLab's log does not say what it should. Exit status 77: not
+# run, with the reason.
 set -euo pipefail
-source "$(dirname -- "${BASH_SOURCE[0]}")/lib/all.sh"
-source "$II_ROOT/scripts/lib/gui.sh"
+here=$(dirname -- "${BASH_SOURCE[0]}")
+source "$here/../../../scripts/lib/all.sh"
+source "$here/meshlab_window.sh"
 
 FILTER_NAME='Compute Curvature by Integral Invariants per Vertex'
-
-prepare() {
-  require_packages "${PACKAGES_WINDOW[@]}"
-  build_for_meshlab_2020_09 sample_mesh
-  local release
-  for release in "${releases[@]}"; do
-    if [[ $release != 2020.09 ]]; then build_for_release "$release"; fi
-  done
-}
 
 # press_button QUARTERS: of the dialog's last row of buttons, the one at so many quarters of the width: Close at 1, Apply at
 # 3. By the mouse, because Return does not reach them in 2020.09.
@@ -64,28 +56,25 @@ show_release() {
   stop_meshlab
 }
 
-output=
-mesh=
 releases=()
-while (($# > 0)); do
-  case $1 in
-    -h | --help) print_header_comment "${BASH_SOURCE[0]}" && exit 0 ;;
-    -o) output=${2:?"-o needs a folder"} && shift 2 ;;
-    -m) mesh=${2:?"-m needs a mesh"} && shift 2 ;;
-    *) releases+=("$1") && shift ;;
-  esac
-done
-((${#releases[@]})) || releases=(2020.09 2025.07)
-output=$(realpath -m -- "${output:-$II_BUILD/screenshots}")
-prepare
+if [[ -x $MESHLAB_2020_09/bin/meshlab ]]; then releases+=(2020.09); fi
+if [[ -x $(host_build_dir 2025.07)/runner/meshlab_script_runner ]]; then releases+=(2025.07); fi
+if [[ ${#releases[@]} == 0 ]]; then
+  echo "not run: there is no MeshLab; scripts/test makes it"
+  exit 77
+fi
+output=$II_BUILD/screenshots
 mkdir -p "$output"
 new_work_folder work
-if [[ -z $mesh ]]; then
-  mesh=$work/sample.ply
+mesh=$(realpath -- "${1:-$work/sample.ply}")
+if [[ $# == 0 ]]; then
   "$II_BUILD/samples/sample_mesh" "$mesh" 0.04 >/dev/null # coarser than usual, so that single directions can be seen
 fi
-mesh=$(realpath -- "$mesh")
 start_screen
 openbox >/dev/null 2>&1 &
-for release in "${releases[@]}"; do show_release "$release"; done
+for release in "${releases[@]}"; do
+  rm -f "$output/$release"-*.png
+  show_release "$release"
+  for picture in 1-search 2-dialog 3-result 4-directions; do [[ -s $output/$release-$picture.png ]]; done
+done
 note "pictures are in $output"

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The archive for the host that this build is for: `cpack` in the folder of the build makes it from what is built there.
+# scripts/package makes those of all hosts.
+if(MESHLAB_SCALAR STREQUAL double)
+  set(package_host pymeshlab)
+  set(package_note INSTALL-pymeshlab.md)
+else()
+  set(package_host meshlab-${MESHLAB_VERSION})
+  set(package_note INSTALL-${MESHLAB_VERSION}.md)
+  install(TARGETS write_filter_script RUNTIME DESTINATION . COMPONENT archive)
+endif()
+install(TARGETS filter_feature_adapted_ii LIBRARY DESTINATION . COMPONENT archive)
+if(TARGET meshlab_script_runner)
+  install(TARGETS meshlab_script_runner RUNTIME DESTINATION . COMPONENT archive)
+endif()
+install(FILES packaging/${package_note} DESTINATION . RENAME INSTALL.md COMPONENT archive)
+install(FILES LICENSE DESTINATION . COMPONENT archive)
+
+set(CPACK_GENERATOR TGZ)
+set(CPACK_COMPONENTS_ALL archive)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENT_INCLUDE_TOPLEVEL_DIRECTORY ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_FILE_NAME ${PROJECT_NAME}-${PROJECT_VERSION}-${package_host}-linux-${CMAKE_SYSTEM_PROCESSOR})
+set(CPACK_ARCHIVE_FILE_NAME ${CPACK_PACKAGE_FILE_NAME})
+include(CPack)

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The vertices of a PLY file as the plugin writes it, with every property: VTK's reader keeps only the usual ones, and
+Debian's meshio reads neither edges nor faces with further lists."""
+
+import numpy as np
+
+TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8"}
+
+
+def tables(path):
+    """The elements of a binary file from the first on, by name, up to one with a list: arrays with a field a property."""
+    with open(path, "rb") as file:
+        order, elements = header(file, path)
+        found = {}
+        for name, count, fields in elements:
+            if count and None in fields.values():
+                break
+            dtype = np.dtype([(field, order + kind) for field, kind in fields.items() if kind])
+            found[name] = np.fromfile(file, dtype, count)
+    return found
+
+
+def vertex_table(path):
+    return tables(path)["vertex"]
+
+
+def header(file, path):
+    """Byte order, and (name, count, {property: type, None for a list}) of each element."""
+    orders = {"binary_little_endian": "<", "binary_big_endian": ">"}
+    order, elements = None, []
+    for line in file:
+        words = line.decode("ascii", "replace").split()
+        if words[:1] == ["format"]:
+            order = orders.get(words[1])
+        elif words[:1] == ["element"]:
+            elements.append((words[1], int(words[2]), {}))
+        elif words[:1] == ["property"]:
+            elements[-1][2][words[-1]] = TYPES.get(words[1])
+        elif words == ["end_header"]:
+            break
+    if order is None:
+        raise ValueError(f"{path} is no binary PLY file")
+    return order, elements
