@@ -5,7 +5,7 @@
 # armadillo, lucy and buddha.
 
 # in_edges MESH FACTOR: that many average edge lengths, in the unit of the mesh.
-in_edges() { "$II_ROOT/scripts/mesh_tools.py" edge "$1" "$2"; }
+in_edges() { "$II_ROOT/scripts/lib/paper_figures.py" edge "$1" "$2"; }
 
 # once NAME MESH PARAMETER=VALUE...: the export of a run as $data/NAME.ply, and its log as $data/NAME.log.
 once() {
@@ -41,9 +41,9 @@ make_buddha() {
   local small=$data/buddha_small.ply
   if [[ ! -s $small ]]; then
     note "simplifying the Buddha"
-    "$II_ROOT/scripts/mesh_tools.py" simplify "$buddha" 150000 "$small"
+    "$II_ROOT/scripts/lib/paper_figures.py" simplify "$buddha" 150000 "$small"
   fi
-  if [[ ! -s $data/buddha_noisy.ply ]]; then "$II_ROOT/scripts/mesh_tools.py" noise "$small" 0.2 "$data/buddha_noisy.ply"; fi
+  if [[ ! -s $data/buddha_noisy.ply ]]; then "$II_ROOT/scripts/lib/paper_figures.py" noise "$small" 0.2 "$data/buddha_noisy.ply"; fi
 }
 
 compute_figure_data() {

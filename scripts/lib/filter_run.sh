@@ -103,14 +103,14 @@ show_progress() {
   printf '\r\033[K' >&2
 }
 
-# draw_picture OUT.ply OUT.png: of the quality that the last filter script asked for.
+# draw_picture OUT.ply OUT.png [OPTION ...]: of the quality that the last filter script asked for.
 draw_picture() {
   local choice name
   choice=$(script_value quality)
   name=$(sed -n "s/.* name=\"quality\" .* enum_val$choice=\"\([^\"]*\)\".*/\1/p" "$work/filter.mlx")
   # shellcheck disable=SC2086  # options of the user's, one word each
-  run_job "$II_ROOT/scripts/render_curvature.py" "$1" "$work/picture.png" --quality-is "$name" \
-    --percentile "$(script_value color_percentile)" ${II_RENDER_OPTIONS:-} && mv -f -T -- "$work/picture.png" "$2" ||
+  run_job "$II_ROOT/scripts/lib/pictures.py" "$1" "$work/picture.png" --quality-is "$name" \
+    --percentile "$(script_value color_percentile)" "${@:3}" ${II_RENDER_OPTIONS:-} && mv -f -T -- "$work/picture.png" "$2" ||
     die "wrote $1, but not its picture."
 }
 
