@@ -114,6 +114,101 @@ TEST_F(CurvatureScript, KeepsAllThatThePlyFileHad)
     EXPECT_NE(text.find(kept), std::string::npos) << kept;
 }
 
+/// An OBJ file with normals and texture coordinates, whose faces name vertices from the front and from the back in
+/// turn.
+std::string obj_text(const TriangleMesh& mesh)
+{
+  std::ostringstream obj;
+  obj.precision(17);
+  for (const Vec3& p : mesh.positions) obj << "v " << p.x << ' ' << p.y << ' ' << p.z << "\nvn 0 0 1\n";
+  obj << "vt 0.5 0.5\n";
+  const std::ptrdiff_t count = std::ptrdiff_t(mesh.positions.size());
+  bool from_the_back = false;
+  for (const Triangle& t : mesh.triangles) {
+    obj << 'f';
+    for (const auto v : t)
+      obj << ' ' << (from_the_back ? std::ptrdiff_t(v) - count : std::ptrdiff_t(v) + 1) << "/1/" << v + 1;
+    obj << '\n';
+    from_the_back = !from_the_back;
+  }
+  return obj.str();
+}
+
+TEST_F(CurvatureScript, ReadsObj)
+{
+  const TriangleMesh mesh = torus(1, 0.4, 30, 16);
+  write_text(folder_ / "mesh.obj", obj_text(mesh));
+  const ProgramResult run = curvature({"mesh.obj", "scales=4"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  expect_equal_to_core(read_ply(folder_ / "mesh_curvature.ply"), mesh, {"scales=4"});
+}
+
+/// The corners of a concave polygon make triangles of its own area, not a fan across it.
+TEST_F(CurvatureScript, CutsConcavePolygonsOfObjIntoTheirOwnTriangles)
+{
+  write_text(folder_ / "arrow.obj", "v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 3 4 1 2\n");
+  const ProgramResult run = curvature({"arrow.obj"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  const TriangleMesh cut = read_ply(folder_ / "arrow_curvature.ply").mesh();
+  double area = 0;
+  for (const Triangle& t : cut.triangles)
+    area += norm(cross(cut.positions[t[1]] - cut.positions[t[0]], cut.positions[t[2]] - cut.positions[t[0]])) / 2;
+  EXPECT_NEAR(area, 2, 1e-6);
+}
+
+TEST_F(CurvatureScript, TakesNamesThatBeginWithADashAfterTwo)
+{
+  write_ply(folder_ / "-mesh.ply", torus(1, 0.4, 30, 16));
+  const ProgramResult run = curvature({"scales=4", "--", "-mesh.ply", "-out.ply"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_TRUE(fs::exists(folder_ / "-out.ply"));
+  EXPECT_TRUE(fs::exists(folder_ / "-out.png"));
+}
+
+/// A desktop asks Qt for Wayland, or writes decimal commas: that is not for the virtual screen.
+TEST_F(CurvatureScript, DoesNotDependOnTheDesktop)
+{
+  const TriangleMesh mesh = torus(1, 0.4, 30, 16);
+  write_ply(folder_ / "mesh.ply", mesh);
+  const ProgramResult run =
+      run_program({"timeout", "280", "env", "QT_QPA_PLATFORM=wayland", "WAYLAND_DISPLAY=wayland-0", "DISPLAY=:4711",
+                   "QT_STYLE_OVERRIDE=none", "LC_ALL=de_DE.UTF-8", source_folder() + "/scripts/curvature", "mesh.ply",
+                   "scales=4", "r_max=0.5"},
+                  folder_.path());
+  ASSERT_EQ(run.status, 0) << run.output;
+  expect_equal_to_core(read_ply(folder_ / "mesh_curvature.ply"), mesh, {"scales=4", "r_max=0.5"});
+}
+
+TEST_F(CurvatureScript, RunsTwiceAtOnce)
+{
+  write_ply(folder_ / "mesh.ply", torus(1, 0.4, 60, 30));
+  const std::string script = "'" + source_folder() + "/scripts/curvature' mesh.ply ";
+  const ProgramResult run =
+      run_program({"timeout", "280", "bash", "-c",
+                   script + "a.ply quality=1 & " + script + "b.ply quality=6; second=$?; wait %1 && exit $second"},
+                  folder_.path());
+  ASSERT_EQ(run.status, 0) << run.output;
+  for (const char* name : {"a.ply", "a.png", "b.ply", "b.png"}) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+}
+
+/// Nothing that a script has started, and no file that is not whole, is left after a signal.
+TEST_F(CurvatureScript, EndsWithAllItsChildrenOnASignal)
+{
+  write_ply(folder_ / "big.ply", icosphere(7));
+  const std::string command = "export II_MARK=" + folder_.path().string() + R"(
+started() { grep -lsz "^II_MARK=$II_MARK$" /proc/[0-9]*/environ | cut -d / -f 3 | grep -vx $$; }
+')" + source_folder() + R"(/scripts/curvature' big.ply engine=0 scales=20 radius_choice=0 estimator=0 2>/dev/null >&2 &
+until grep -qs 'loaded has' .curvature.*/log; do sleep 0.1; done
+kill -TERM $!
+wait $!
+echo "status $?"
+for program in $(started); do cat /proc/$program/comm 2>/dev/null; done | grep -E 'meshlab|Xvfb|curvature|sleep'
+ls -A
+)";
+  const ProgramResult run = run_program({"timeout", "280", "bash", "-c", command}, folder_.path());
+  EXPECT_EQ(run.output, "status 143\nbig.ply\n");
+}
+
 TEST_F(CurvatureScript, ListsTheParameters)
 {
   const ProgramResult run = curvature({"--parameters"});
