@@ -54,7 +54,7 @@ locked() {
   shift
   mkdir -p -- "$folder" 2>/dev/null || true
   foreign=$(find "$folder" -maxdepth 1 ! -writable -print -quit 2>&1)
-  [[ -z $foreign ]] || die "cannot write into the build folder $folder: it is read-only or another user's. Name a folder of" \
+  [[ -z $foreign ]] || die "the build folder $folder cannot be written: it is read-only or another user's. Name a folder of" \
     "your own in the environment variable II_BUILD (and in II_CACHE one for what is fetched)."
   {
     flock -n 9 || { note "another run is building in $folder; waiting for it" && run_job flock 9; }
