@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "filters.h"
-
 namespace integral_invariant::filter {
 
 namespace {
@@ -73,7 +71,7 @@ void require_single_precision(const ParameterSpec& spec, double value)
 
 std::string value_text(const ParameterSpec& spec, const Request& request)
 {
-  if (spec.kind == Kind::save_file) return request.output.export_file;
+  if (spec.kind == Kind::save_file) return spec.get_text(request);
   const double value = spec.get(request);
   if (spec.kind == Kind::boolean) return value != 0 ? "true" : "false";
   require_single_precision(spec, value);
@@ -110,41 +108,40 @@ std::string unit_text(const ParameterSpec& spec)
 
 }  // namespace
 
-void store_assignment(const std::string& assignment, Request& request, FilterId filter)
+void store_assignment(const Filter& filter, const std::string& assignment, Request& request)
 {
   const std::size_t equals = assignment.find('=');
   const std::string name = assignment.substr(0, equals);
-  const ParameterSpec* spec = find_parameter(name, filter);
+  const ParameterSpec* spec = find_parameter(filter.parameters, name);
   if (equals == std::string::npos) throw ParameterError("'" + assignment + "' is not of the form name=value.");
   if (spec) return store_from_text(*spec, assignment.substr(equals + 1), request);
   std::string names;
-  for (const ParameterSpec& row : parameter_table(filter)) names += (names.empty() ? "" : ", ") + std::string(row.name);
+  for (const ParameterSpec& known : filter.parameters) names += (names.empty() ? "" : ", ") + std::string(known.name);
   throw ParameterError("There is no parameter '" + name + "'; the parameters are " + names + ".");
 }
 
-std::string filter_script(const Request& request, FilterId filter)
+std::string filter_script(const Filter& filter, const Request& request)
 {
-  std::string xml =
-      "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter" + attribute("name", filter_facts(filter).name) + ">\n";
-  for (const ParameterSpec& spec : parameter_table(filter))
+  std::string xml = "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter" + attribute("name", filter.name) + ">\n";
+  for (const ParameterSpec& spec : filter.parameters)
     xml += "  <Param" + attribute("type", mlx_type(spec.kind)) + attribute("name", spec.name) +
            attribute("value", value_text(spec, request)) + type_attributes(spec, request) + "/>\n";
   return xml + " </filter>\n</FilterScript>\n";
 }
 
-std::string parameter_documentation(FilterId filter)
+std::string parameter_documentation(const Filter& filter)
 {
   std::string text = "| Parameter | Default | Permitted | Unit | Meaning | Source |\n|---|---|---|---|---|---|\n";
-  for (const ParameterSpec& spec : parameter_table(filter))
+  for (const ParameterSpec& spec : filter.parameters)
     text += "| `" + std::string(spec.name) + "` | " + default_text(spec) + " | " + range_text(spec) + " | " +
             unit_text(spec) + " | " + spec.label + ". " + spec.tip + " | " + spec.source + " |\n";
   return text;
 }
 
-std::string parameter_defaults(FilterId filter)
+std::string parameter_defaults(const Filter& filter)
 {
   std::string text;
-  for (const ParameterSpec& spec : parameter_table(filter))
+  for (const ParameterSpec& spec : filter.parameters)
     text += std::string(spec.name) + "=" + value_text(spec, Request{}) + "\n";
   return text;
 }

@@ -63,6 +63,28 @@ class LayerBuilder {
 
 }  // namespace
 
+LineStyle line_style(const Request& request)
+{
+  return {request.part<OutputOptions>().colorize, request.part<LayerOptions>().lift};
+}
+
+ParameterSpec line_lift_parameter()
+{
+  return real<&LayerOptions::lift>(
+      "lift", "average edges", {0, 1},
+      {"Height over the surface (edges)",
+       "Lines stand this many average edge lengths above the surface, so that it does not hide them. 0: on it."});
+}
+
+ParameterSpec line_export_parameter()
+{
+  return save_file<&OutputOptions::export_file>(
+      "export_file",
+      {"Export to PLY",
+       "Writes the lines as vertices and edges, with the properties ii_line, ii_kind and ii_strength of the vertices. "
+       "Empty: no file."});
+}
+
 LineLayer crest_layer(const TriangleMesh& mesh, const Result& result, const std::vector<CrestLine>& lines,
                       const LineStyle& style)
 {

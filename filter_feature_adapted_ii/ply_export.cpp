@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "integral_invariant/error.h"
 #include "ply_writer.h"
 #include "whole_file.h"
 
@@ -35,23 +36,17 @@ void add_direction(const std::string& name, const std::vector<Vec3>& directions,
   properties.push_back(property(name + "_z", n, [&](std::size_t v) { return directions[v].z; }));
 }
 
-PlyContents contents_of(const Outcome& outcome)
+void add_curvature(const Result& result, std::vector<NamedValues>& properties)
 {
-  const Result& result = outcome.result;
   const std::size_t n = result.kappa_max.size();
-  PlyContents contents;
-  contents.quality = outcome.quality;
-  if (outcome.colorize)
-    for (std::size_t v = 0; v < n; ++v) contents.colors.push_back(outcome.color(v));
-  contents.properties = {property("ii_kmax", n, [&](std::size_t v) { return result.kappa_max[v]; }),
-                         property("ii_kmin", n, [&](std::size_t v) { return result.kappa_min[v]; }),
-                         property("ii_radius", n, [&](std::size_t v) { return result.radius[v]; }),
-                         property("ii_confidence", n, [&](std::size_t v) { return result.confidence[v]; })};
+  properties.push_back(property("ii_kmax", n, [&](std::size_t v) { return result.kappa_max[v]; }));
+  properties.push_back(property("ii_kmin", n, [&](std::size_t v) { return result.kappa_min[v]; }));
+  properties.push_back(property("ii_radius", n, [&](std::size_t v) { return result.radius[v]; }));
+  properties.push_back(property("ii_confidence", n, [&](std::size_t v) { return result.confidence[v]; }));
   if (!result.standard_error.empty())
-    contents.properties.push_back(property("ii_error", n, [&](std::size_t v) { return result.standard_error[v]; }));
-  add_direction("ii_dirmax", result.dir_max, contents.properties);
-  add_direction("ii_dirmin", result.dir_min, contents.properties);
-  return contents;
+    properties.push_back(property("ii_error", n, [&](std::size_t v) { return result.standard_error[v]; }));
+  add_direction("ii_dirmax", result.dir_max, properties);
+  add_direction("ii_dirmin", result.dir_min, properties);
 }
 
 bool fit_single_precision(const std::vector<Vec3>& positions)
@@ -141,9 +136,17 @@ std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, co
   }
 }
 
-std::string export_ply(const TriangleMesh& mesh, const Outcome& outcome, const std::string& path)
+std::string export_ply(const TriangleMesh& mesh, const FilterResult& result, const std::string& path)
 {
-  return export_ply(mesh, contents_of(outcome), path);
+  if (result.lines) {
+    const LineLayer& lines = *result.lines;
+    return export_ply({lines.positions, {}}, PlyContents{lines.edges, lines.quality, lines.colors, lines.attributes},
+                      path);
+  }
+  PlyContents contents{{}, result.quality, result.colors, {}};
+  if (result.curvature) add_curvature(*result.curvature, contents.properties);
+  contents.properties.insert(contents.properties.end(), result.attributes.begin(), result.attributes.end());
+  return export_ply(mesh, contents, path);
 }
 
 }  // namespace integral_invariant::filter

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the mesh with every output of the filter as a property of its vertices, and polylines as edges. Not through
-// VCG's exporter, which notices neither a full disk nor a failed close, and knows one precision for all coordinates.
+// Writes the mesh with every output of a filter as a property of its vertices, or the lines of a filter as edges. Not
+// through VCG's exporter, which notices neither a full disk nor a failed close, and knows one precision for all
+// coordinates.
 #pragma once
 
 #include <array>
@@ -8,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "filter_result.h"
 #include "integral_invariant/mesh/surface.h"
-#include "outcome.h"
 
 namespace integral_invariant::filter {
 
@@ -25,9 +26,10 @@ struct PlyContents {
 /// failure leaves an older one as it was. \return the absolute path. \throw InputError where it cannot be written
 std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, const std::string& path);
 
-/// The same of a run: x y z, red green blue alpha (where the outcome is coloured), quality, ii_kmax, ii_kmin,
-/// ii_radius, ii_confidence, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are.
-std::string export_ply(const TriangleMesh& mesh, const Outcome& outcome, const std::string& path);
+/// The same of a run. Lines: x y z, red green blue alpha (where they are coloured), quality, their attributes, edges.
+/// Otherwise the mesh with colour, quality and attributes, and, where there are curvatures, ii_kmax, ii_kmin,
+/// ii_radius, ii_confidence, ii_error, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are.
+std::string export_ply(const TriangleMesh& mesh, const FilterResult& result, const std::string& path);
 
 /// \throw InputError unless a file can be made in the folder of `path`: tells the user before the long computation
 void require_writable(const std::string& path);

@@ -7,9 +7,21 @@
 #include <vector>
 
 #include "integral_invariant/result.h"
-#include "parameter_table.h"
 
 namespace integral_invariant::filter {
+
+/// What goes into the quality of the vertices.
+enum class Quantity {
+  mean = 0,              ///< (κ_max + κ_min) / 2
+  gaussian = 1,          ///< κ_max κ_min
+  maximal = 2,           ///< κ_max
+  minimal = 3,           ///< κ_min
+  shape_index = 4,       ///< (2/π) atan2(κ_max + κ_min, κ_max − κ_min), from -1 (cup) to 1 (cap)
+  curvedness = 5,        ///< sqrt((κ_max² + κ_min²) / 2)
+  radius = 6,            ///< the radius of the vertex's ball
+  largest_absolute = 7,  ///< max(|κ_max|, |κ_min|), a magnitude without sign
+};
+inline constexpr int quantity_count = 8;
 
 /// The quantity of every vertex, in the order of the result. Units: 1/L for mean, maximal, minimal, curvedness and
 /// largest absolute, 1/L² for Gaussian, none for the shape index, L for the radius.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "filter_script.h"
-#include "filters.h"
+#include "registry.h"
 
 namespace {
 
@@ -16,31 +16,29 @@ constexpr const char* usage =
     "       write_filter_script [--filter FILTER] --describe         print the parameters as a Markdown table\n"
     "       write_filter_script --filters                            print the names that FILTER can be\n";
 
+using namespace integral_invariant::filter;
+
 std::string filter_names()
 {
   std::string text;
-  for (int i = 0; i < integral_invariant::filter::filter_count; ++i) {
-    const auto& facts = integral_invariant::filter::filter_facts(static_cast<integral_invariant::filter::FilterId>(i));
-    text += std::string(facts.python_name) + "\t" + facts.name + "\n";
-  }
+  for (const Filter* filter : all_filters()) text += std::string(filter->python_name) + "\t" + filter->name + "\n";
   return text;
 }
 
 std::string answer(std::vector<std::string> arguments)
 {
-  using namespace integral_invariant::filter;
-  FilterId filter = FilterId::curvature;
+  const Filter* filter = &curvature_filter();
   if (arguments.size() >= 2 && arguments[0] == "--filter") {
-    filter = find_filter(arguments[1]);
+    filter = &find_filter(arguments[1]);
     arguments.erase(arguments.begin(), arguments.begin() + 2);
   }
   if (arguments.size() == 1 && arguments[0] == "--filters") return filter_names();
   if (arguments.size() == 1 && arguments[0] == "--help") return usage;
-  if (arguments.size() == 1 && arguments[0] == "--list") return parameter_defaults(filter);
-  if (arguments.size() == 1 && arguments[0] == "--describe") return parameter_documentation(filter);
+  if (arguments.size() == 1 && arguments[0] == "--list") return parameter_defaults(*filter);
+  if (arguments.size() == 1 && arguments[0] == "--describe") return parameter_documentation(*filter);
   Request request;
-  for (const std::string& assignment : arguments) store_assignment(assignment, request, filter);
-  return filter_script(request, filter);
+  for (const std::string& assignment : arguments) store_assignment(*filter, assignment, request);
+  return filter_script(*filter, request);
 }
 
 }  // namespace

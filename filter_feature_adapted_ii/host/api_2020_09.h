@@ -12,15 +12,6 @@ class FilterFeatureAdaptedIIPlugin : public QObject, public MeshFilterInterface 
   Q_INTERFACES(MeshFilterInterface)
 
  public:
-  /// In the order of integral_invariant::filter::FilterId.
-  enum {
-    FP_CURVATURE_INTEGRAL_INVARIANT,
-    FP_SELECT_RIDGES_VALLEYS,
-    FP_CREST_LINES_LAYER,
-    FP_PRINCIPAL_DIRECTION_LAYER,
-    FP_INTEGRAL_INVARIANT_SIGNATURE
-  };
-
   FilterFeatureAdaptedIIPlugin();
 
   QString pluginName() const override;

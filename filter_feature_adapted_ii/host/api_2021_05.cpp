@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api_2021_05.h"
 
-#include "../help_text.h"
 #include "pymeshlab_log.h"
-#include "run_filter.h"
+#include "run.h"
 
 namespace ii = integral_invariant::filter;
 
 namespace {
-
-/// Our enumeration and FilterId count alike.
-ii::FilterId filter_of(int type) { return static_cast<ii::FilterId>(type); }
 
 [[noreturn]] void fail(const std::string& sentence)
 {
@@ -36,39 +32,22 @@ std::map<std::string, QVariant> output_map(const ii::RunReport& report)
 
 FilterFeatureAdaptedIIPlugin::FilterFeatureAdaptedIIPlugin()
 {
-  typeList = {FP_CURVATURE_INTEGRAL_INVARIANT, FP_SELECT_RIDGES_VALLEYS, FP_CREST_LINES_LAYER,
-              FP_PRINCIPAL_DIRECTION_LAYER, FP_INTEGRAL_INVARIANT_SIGNATURE};
+  for (std::size_t type = 0; type < ii::all_filters().size(); ++type) typeList.push_back(ActionIDType(type));
   for (ActionIDType type : types()) actionList.push_back(new QAction(filterName(type), this));
 }
 
 QString FilterFeatureAdaptedIIPlugin::pluginName() const { return ii::plugin_name; }
 QString FilterFeatureAdaptedIIPlugin::vendor() const { return ii::plugin_name; }
-QString FilterFeatureAdaptedIIPlugin::filterName(ActionIDType type) const
-{
-  return ii::filter_facts(filter_of(type)).name;
-}
+QString FilterFeatureAdaptedIIPlugin::filterName(ActionIDType type) const { return ii::filter_of(type).name; }
 QString FilterFeatureAdaptedIIPlugin::pythonFilterName(ActionIDType type) const
 {
-  return ii::filter_facts(filter_of(type)).python_name;
+  return ii::filter_of(type).python_name;
 }
-QString FilterFeatureAdaptedIIPlugin::filterInfo(ActionIDType type) const
-{
-  return ii::filter_facts(filter_of(type)).help;
-}
+QString FilterFeatureAdaptedIIPlugin::filterInfo(ActionIDType type) const { return ii::filter_of(type).help; }
 
 FilterPlugin::FilterClass FilterFeatureAdaptedIIPlugin::getClass(const QAction* action) const
 {
-  switch (ID(action)) {
-    case FP_SELECT_RIDGES_VALLEYS:
-      return FilterClass(Selection + VertexColoring);
-    case FP_CREST_LINES_LAYER:
-    case FP_PRINCIPAL_DIRECTION_LAYER:
-      return FilterClass(Layer + Normal);
-    case FP_INTEGRAL_INVARIANT_SIGNATURE:
-      return FilterClass(Quality + VertexColoring);
-    default:
-      return FilterClass(Normal + VertexColoring);
-  }
+  return ii::filter_class<FilterPlugin>(ii::filter_of(ID(action)));
 }
 
 FilterPlugin::FilterArity FilterFeatureAdaptedIIPlugin::filterArity(const QAction*) const { return SINGLE_MESH; }
@@ -76,20 +55,20 @@ FilterPlugin::FilterArity FilterFeatureAdaptedIIPlugin::filterArity(const QActio
 int FilterFeatureAdaptedIIPlugin::getPreConditions(const QAction*) const { return MeshModel::MM_NONE; }
 int FilterFeatureAdaptedIIPlugin::postCondition(const QAction* action) const
 {
-  return ii::written_fields(filter_of(ID(action)));
+  return ii::data_mask(ii::filter_of(ID(action)).writes);
 }
 
 RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction* action, const MeshDocument& document)
 {
   RichParameterList list;
-  ii::add_parameters(filter_of(ID(action)), document.mm() ? document.mm()->cm.bbox.Diag() : 0, list);
+  ii::add_parameters(ii::filter_of(ID(action)).parameters, document.mm() ? document.mm()->cm.bbox.Diag() : 0, list);
   return list;
 }
 
 RichParameterList FilterFeatureAdaptedIIPlugin::initParameterList(const QAction* action, const MeshModel& mesh)
 {
   RichParameterList list;
-  ii::add_parameters(filter_of(ID(action)), mesh.cm.bbox.Diag(), list);
+  ii::add_parameters(ii::filter_of(ID(action)).parameters, mesh.cm.bbox.Diag(), list);
   return list;
 }
 
@@ -100,7 +79,8 @@ std::map<std::string, QVariant> FilterFeatureAdaptedIIPlugin::applyFilter(const 
                                                                           vcg::CallBackPos* callback)
 {
   try {
-    const ii::RunReport report = ii::run_filter(filter_of(ID(action)), document, parameters, ii::progress_of(callback));
+    const ii::RunReport report =
+        ii::run_on_document(ii::filter_of(ID(action)), document, parameters, ii::progress_of(callback));
     postConditionMask = unsigned(report.written);
     for (const std::string& line : report.log) log(line);
     return output_map(report);

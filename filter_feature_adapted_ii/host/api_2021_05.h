@@ -11,15 +11,6 @@ class FilterFeatureAdaptedIIPlugin : public QObject, public FilterPlugin {
   Q_INTERFACES(FilterPlugin)
 
  public:
-  /// In the order of integral_invariant::filter::FilterId.
-  enum {
-    FP_CURVATURE_INTEGRAL_INVARIANT,
-    FP_SELECT_RIDGES_VALLEYS,
-    FP_CREST_LINES_LAYER,
-    FP_PRINCIPAL_DIRECTION_LAYER,
-    FP_INTEGRAL_INVARIANT_SIGNATURE
-  };
-
   FilterFeatureAdaptedIIPlugin();
 
   QString pluginName() const override;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What both plugin interfaces share: the table as MeshLab's parameter classes, and the fields that the filter writes.
+// What both plugin interfaces share: a filter's parameters as MeshLab's parameter classes, and back.
 #pragma once
 
 #include <type_traits>
 #include <utility>
+#include <vector>
 
-#include "../filter_body.h"
+#include "../filter.h"
 
 #if __has_include(<common/parameters/rich_parameters.h>)
 #include <common/parameters/rich_parameters.h>
@@ -21,13 +22,6 @@ using RichFile = RichSaveFile;
 #endif
 
 namespace integral_invariant::filter {
-
-/// The mesh's fields that the filter writes.
-inline int written_fields(bool colorize = true)
-{
-  return MeshModel::MM_VERTCURVDIR | MeshModel::MM_VERTRADIUS | MeshModel::MM_VERTQUALITY |
-         (colorize ? MeshModel::MM_VERTCOLOR : MeshModel::MM_NONE);
-}
 
 /// The tip with the unit, the permitted values and the source, which no dialog shows otherwise.
 inline QString tooltip(const ParameterSpec& spec)
@@ -82,20 +76,42 @@ inline void add_parameter(const ParameterSpec& spec, double diagonal, RichParame
 }
 
 /// The dialog: percentages are of `diagonal`.
-inline void add_parameters(FilterId filter, double diagonal, RichParameterList& list)
+inline void add_parameters(const std::vector<ParameterSpec>& parameters, double diagonal, RichParameterList& list)
 {
   // Without a mesh there is nothing to take a percentage of; an empty range would divide by zero.
   const double range = diagonal > 0 ? diagonal : 1;
-  for (const ParameterSpec& spec : parameter_table(filter)) add_parameter(spec, range, list);
+  for (const ParameterSpec& spec : parameters) add_parameter(spec, range, list);
 }
 
-/// A sentence for the user.
-inline std::string failure_text(const std::exception& error)
+/// Reads every parameter from a host's list, through its getters, which all hosts name
+/// alike. \throw ParameterError
+template <class ParameterList>
+Request read_request(const std::vector<ParameterSpec>& parameters, const ParameterList& list)
 {
-  if (dynamic_cast<const std::bad_alloc*>(&error))
-    return "There is not enough memory. Use fewer scales, fewer cells per radius, or a larger smallest radius. The "
-           "mesh is unchanged.";
-  return error.what();
+  Request request;
+  for (const ParameterSpec& spec : parameters) {
+    switch (spec.kind) {
+      case Kind::boolean:
+        store(spec, list.getBool(spec.name), request);
+        break;
+      case Kind::integer:
+        store(spec, list.getInt(spec.name), request);
+        break;
+      case Kind::choice:
+        store(spec, list.getEnum(spec.name), request);
+        break;
+      case Kind::real:
+        store(spec, undo_float_rounding(list.getFloat(spec.name)), request);
+        break;
+      case Kind::length:
+        store(spec, undo_float_rounding(list.getAbsPerc(spec.name)), request);
+        break;
+      case Kind::save_file:
+        store_text(spec, list.getSaveFileName(spec.name).toStdString(), request);
+        break;
+    }
+  }
+  return request;
 }
 
 }  // namespace integral_invariant::filter

@@ -3,12 +3,14 @@
 // and the curvature filter's quality and colours. Either refused in words, or finite throughout.
 #include <algorithm>
 
-#include "feature_outcome.h"
-#include "filters.h"
 #include "fuzz/invariants.h"
 #include "fuzz/read_mesh.h"
 #include "fuzz/read_parameters.h"
-#include "integral_invariant/curvature.h"
+#include "integral_invariant/features/crest_lines.h"
+#include "integral_invariant/features/curvature_lines.h"
+#include "integral_invariant/features/ridges_valleys.h"
+#include "integral_invariant/features/signature.h"
+#include "registry.h"
 
 namespace {
 
@@ -26,10 +28,10 @@ double read_value(fuzz::ByteReader& bytes, const ParameterSpec& spec)
 }
 
 /// Values as hosts hand them over, in the order of the bytes; what a row refuses keeps its default.
-Request read_request(fuzz::ByteReader& bytes, FilterId filter)
+Request read_request(fuzz::ByteReader& bytes, const Filter& filter)
 {
   Request request;
-  const std::vector<ParameterSpec>& rows = parameter_table(filter);
+  const std::vector<ParameterSpec>& rows = filter.parameters;
   for (std::uint32_t i = bytes.below(20); i > 0; --i) {
     const ParameterSpec& spec = rows[bytes.below(std::uint32_t(rows.size()))];
     if (spec.kind == Kind::save_file) continue;
@@ -45,22 +47,23 @@ Request read_request(fuzz::ByteReader& bytes, FilterId filter)
 /// Fields that the C++ interface takes without a table.
 void spoil(fuzz::ByteReader& bytes, Request& r)
 {
-  double* const reals[] = {&r.ridge_valley.high_percentile,
-                           &r.ridge_valley.low_percentile,
-                           &r.ridge_valley.high_curvature,
-                           &r.ridge_valley.low_curvature,
-                           &r.ridge_valley.minimum_area,
-                           &r.crest.minimum_strength,
-                           &r.crest.minimum_length,
-                           &r.crest.minimum_sharpness,
-                           &r.direction.spacing,
-                           &r.direction.segment_length,
-                           &r.direction.minimum_length,
-                           &r.direction.umbilic,
-                           &r.signature.p};
+  double* const reals[] = {&r.part<RidgeValleyParameters>().high_percentile,
+                           &r.part<RidgeValleyParameters>().low_percentile,
+                           &r.part<RidgeValleyParameters>().high_curvature,
+                           &r.part<RidgeValleyParameters>().low_curvature,
+                           &r.part<RidgeValleyParameters>().minimum_area,
+                           &r.part<CrestLineParameters>().minimum_strength,
+                           &r.part<CrestLineParameters>().minimum_length,
+                           &r.part<CrestLineParameters>().minimum_sharpness,
+                           &r.part<DirectionParameters>().spacing,
+                           &r.part<DirectionParameters>().segment_length,
+                           &r.part<DirectionParameters>().minimum_length,
+                           &r.part<DirectionParameters>().umbilic,
+                           &r.part<ReductionParameters>().p};
   *reals[bytes.below(std::size(reals))] = bytes.any_real();
-  int* const wholes[] = {&r.ridge_valley.minimum_vertices, &r.crest.smoothing_passes, &r.direction.smoothing_passes,
-                         &r.signature.scale};
+  int* const wholes[] = {&r.part<RidgeValleyParameters>().minimum_vertices,
+                         &r.part<CrestLineParameters>().smoothing_passes,
+                         &r.part<DirectionParameters>().smoothing_passes, &r.part<ReductionParameters>().scale};
   *wholes[bytes.below(std::size(wholes))] = bytes.any_int();
 }
 
@@ -85,18 +88,20 @@ void require_sound(const LineLayer& lines)
   }
 }
 
-void require_sound(const FeatureOutcome& outcome, std::size_t vertices)
+void require_sound(const FilterResult& result, std::size_t vertices)
 {
-  fuzz::require(outcome.selection.empty() || outcome.selection.size() == vertices, "one region a vertex");
-  fuzz::require(outcome.quality.empty() || outcome.quality.size() == vertices, "one quality a vertex");
-  fuzz::require(outcome.colors.empty() || outcome.colors.size() == vertices, "one colour a vertex");
-  fuzz::require_finite(outcome.quality, "quality is finite");
-  for (const NamedValues& attribute : outcome.attributes) {
+  fuzz::require(result.selection.empty() || result.selection.size() == vertices, "one region a vertex");
+  fuzz::require(result.quality.empty() || result.quality.size() == vertices, "one quality a vertex");
+  fuzz::require(result.colors.empty() || result.colors.size() == vertices, "one colour a vertex");
+  fuzz::require_finite(result.quality, "quality is finite");
+  for (const NamedValues& attribute : result.attributes) {
     fuzz::require(attribute.values.size() == vertices, "one attribute a vertex");
     fuzz::require_finite(attribute.values, "attributes are finite");
   }
-  if (outcome.lines) require_sound(*outcome.lines);
-  for (const std::string& line : outcome.log) fuzz::require(!line.empty(), "a line of the log says something");
+  if (result.curvature) fuzz::require_sound(*result.curvature, vertices);
+  if (result.lines) require_sound(*result.lines);
+  fuzz::require(!result.log.empty(), "a run has a log");
+  for (const std::string& line : result.log) fuzz::require(!line.empty(), "a line of the log says something");
 }
 
 }  // namespace
@@ -104,22 +109,15 @@ void require_sound(const FeatureOutcome& outcome, std::size_t vertices)
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   fuzz::ByteReader bytes(data, size);
-  const auto filter = static_cast<FilterId>(bytes.below(filter_count));
+  const Filter& filter = *all_filters()[bytes.below(std::uint32_t(all_filters().size()))];
   Request request = read_request(bytes, filter);
-  fuzz::keep_small(request.method);
+  fuzz::keep_small(request.part<Parameters>());
   if (bytes.below(4) == 0) spoil(bytes, request);
-  keep_short(request.crest.smoothing_passes);
-  keep_short(request.direction.smoothing_passes);
+  keep_short(request.part<CrestLineParameters>().smoothing_passes);
+  keep_short(request.part<DirectionParameters>().smoothing_passes);
   const TriangleMesh mesh = fuzz::read_mesh(bytes);
   try {
-    if (filter == FilterId::curvature) {
-      const Outcome outcome = make_outcome(compute_curvature(mesh, request.method, {}), request.output);
-      fuzz::require_sound(outcome.result, mesh.positions.size());
-      fuzz::require_finite(outcome.quality, "quality is finite");
-      fuzz::require(!summary_lines(outcome).empty(), "a run has a summary");
-    } else {
-      require_sound(compute_feature(filter, mesh, request, {}), mesh.positions.size());
-    }
+    require_sound(run_filter(filter, {mesh, request}), mesh.positions.size());
   } catch (const InputError& error) {
     fuzz::require_sentence(error);
   }

@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "filter_script.h"
-#include "filters.h"
 #include "fuzz/byte_reader.h"
 #include "fuzz/invariants.h"
 #include "fuzz/read_script.h"
+#include "registry.h"
 #include "runner/command_line.h"
 #include "runner/exit_status.h"
 
@@ -45,28 +45,29 @@ bool is_taken(const Action& action)
 }
 
 /// As hosts do that keep numbers in single precision.
-void store_single(fuzz::ByteReader& bytes, FilterId filter, Request& request)
+void store_single(fuzz::ByteReader& bytes, const Filter& filter, Request& request)
 {
-  const std::vector<ParameterSpec>& rows = parameter_table(filter);
+  const std::vector<ParameterSpec>& rows = filter.parameters;
   const ParameterSpec& spec = rows[bytes.below(std::uint32_t(rows.size()))];
   std::uint8_t raw[4];
   for (std::uint8_t& byte : raw) byte = bytes.byte();
   float value;
   std::memcpy(&value, raw, sizeof value);
   if (spec.kind == Kind::save_file) return;
-  if (!is_taken([&] { store(spec, as_typed(value), request); })) return;
-  fuzz::require(spec.get(request) == as_typed(value), "a value that is stored can be read");
-  fuzz::require(float(as_typed(value)) == value, "a typed number is the one that was kept in single precision");
+  if (!is_taken([&] { store(spec, undo_float_rounding(value), request); })) return;
+  fuzz::require(spec.get(request) == undo_float_rounding(value), "a value that is stored can be read");
+  fuzz::require(float(undo_float_rounding(value)) == value,
+                "a typed number is the one that was kept in single precision");
 }
 
-void require_same(const Request& written, const Request& read, FilterId filter)
+void require_same(const Request& written, const Request& read, const Filter& filter)
 {
-  for (const ParameterSpec& spec : parameter_table(filter)) {
-    if (spec.kind == Kind::save_file) continue;
-    fuzz::require(spec.get(written) == spec.get(read), "a script has the values that it was written from");
+  for (const ParameterSpec& spec : filter.parameters) {
+    if (spec.kind == Kind::save_file)
+      fuzz::require(spec.get_text(written) == spec.get_text(read), "a script has the file name it was written from");
+    else
+      fuzz::require(spec.get(written) == spec.get(read), "a script has the values that it was written from");
   }
-  fuzz::require(written.output.export_file == read.output.export_file,
-                "a script has the file name it was written from");
 }
 
 }  // namespace
@@ -74,21 +75,21 @@ void require_same(const Request& written, const Request& read, FilterId filter)
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   fuzz::ByteReader bytes(data, size);
-  const auto filter = static_cast<FilterId>(bytes.below(filter_count));
+  const Filter& filter = *all_filters()[bytes.below(std::uint32_t(all_filters().size()))];
   Request request;
   for (std::uint32_t i = bytes.below(4); i > 0; --i) store_single(bytes, filter, request);
   const std::vector<std::string> arguments = arguments_in(bytes.rest());
-  for (const std::string& argument : arguments) is_taken([&] { store_assignment(argument, request, filter); });
+  for (const std::string& argument : arguments) is_taken([&] { store_assignment(filter, argument, request); });
   is_taken([&] { find_filter(arguments.front()); });
   is_taken([&] { runner::parse_command_line(arguments); });
 
   std::string text;
-  if (!is_taken([&] { text = filter_script(request, filter); })) return 0;
+  if (!is_taken([&] { text = filter_script(filter, request); })) return 0;
   const fuzz::ReadScript script = fuzz::read_script(text);
-  fuzz::require(find_filter(script.filter) == filter, "a script names its filter");
+  fuzz::require(&find_filter(script.filter) == &filter, "a script names its filter");
   Request read;
   for (const std::string& assignment : script.assignments)
-    fuzz::require(is_taken([&] { store_assignment(assignment, read, filter); }), "what a script says is permitted");
+    fuzz::require(is_taken([&] { store_assignment(filter, assignment, read); }), "what a script says is permitted");
   require_same(request, read, filter);
   return 0;
 }

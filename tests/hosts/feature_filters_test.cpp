@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace integral_invariant;
-using filter::FilterId;
+using namespace integral_invariant::filter;
 
 const Vec3 axes{2, 1.4, 0.8};
 
@@ -30,7 +30,7 @@ class FeatureFilters : public testing::TestWithParam<const char*> {
     if (!host_.unavailable.empty()) GTEST_SKIP() << host_.unavailable;
   }
 
-  HostRun run(FilterId filter, const TriangleMesh& mesh, Assignments assignments, const std::string& saved = "")
+  HostRun run(const Filter& filter, const TriangleMesh& mesh, Assignments assignments, const std::string& saved = "")
   {
     write_ply(folder_ / "mesh.ply", mesh);
     return run_script(host_, folder_ / "mesh.ply", filter_script(assignments, filter),
@@ -62,7 +62,7 @@ TEST_P(FeatureFilters, CrestLinesAreTheCoresAndMeshLabSavesTheirEdges)
   // Without symmetry: on it the derivative is rounding, and so is the side of an edge that a line passes.
   const TriangleMesh mesh = with_tangential_jitter(ellipsoid(4, axes), 0.02);
   const HostRun result =
-      run(FilterId::crest_lines, mesh, {"lift=0", "export_file=" + (folder_ / "crest.ply")}, "crest.obj");
+      run(crest_lines_filter(), mesh, {"lift=0", "export_file=" + (folder_ / "crest.ply")}, "crest.obj");
   ASSERT_EQ(result.status, 0) << result.log;
   const PlyFile exported = read_ply(folder_ / "crest.ply");
 
@@ -87,12 +87,12 @@ TEST_P(FeatureFilters, DirectionsAreDrawnAsLinesAndAsSegments)
 {
   const TriangleMesh mesh = torus(1, 0.4, 80, 32);
   const std::string file = "export_file=" + (folder_ / "lines.ply");
-  HostRun result = run(FilterId::principal_directions, mesh, {"spacing=0.2", "minimal=true", file});
+  HostRun result = run(directions_filter(), mesh, {"spacing=0.2", "minimal=true", file});
   ASSERT_EQ(result.status, 0) << result.log;
   EXPECT_NE(result.log.find("of them closed"), std::string::npos) << result.log;
   // Together the lines of a family are about as long as area / spacing, and an edge of theirs is under 0.1.
   EXPECT_GT(read_ply(folder_ / "lines.ply").edges.size(), 2 * 4 * 9.87 * 0.4 / 0.2 / 0.1 * 0.8);
-  result = run(FilterId::principal_directions, mesh, {"style=1", "spacing=0.2", file});
+  result = run(directions_filter(), mesh, {"style=1", "spacing=0.2", file});
   ASSERT_EQ(result.status, 0) << result.log;
   const PlyFile segments = read_ply(folder_ / "lines.ply");
   EXPECT_EQ(segments.property("x").size(), 2 * segments.edges.size());
@@ -103,7 +103,7 @@ TEST_P(FeatureFilters, RidgesAreColouredAndLaterStepsSeeThem)
   const TriangleMesh mesh = box_with_ridge(2.5, 1, 0.06, 1.237, 0.3, 0.3);
   write_ply(folder_ / "mesh.ply", mesh);
   std::string script =
-      filter_script({"threshold=1", "high_curvature=1.6", "low_curvature=1.2"}, FilterId::ridges_and_valleys);
+      filter_script({"threshold=1", "high_curvature=1.6", "low_curvature=1.2"}, ridges_and_valleys_filter());
   script.insert(
       script.find("</FilterScript>"),
       "<filter name=\"Per Vertex Quality Function\"><Param type=\"RichString\" name=\"q\" value=\"ii_feature\"/>"
@@ -128,8 +128,7 @@ TEST_P(FeatureFilters, RidgesAreColouredAndLaterStepsSeeThem)
 TEST_P(FeatureFilters, SignatureIsTheCores)
 {
   const TriangleMesh mesh = torus(1, 0.4, 60, 30);
-  const HostRun result =
-      run(FilterId::signature, mesh, {"scales=3", "scale=2", "export_file=" + (folder_ / "sig.ply")});
+  const HostRun result = run(signature_filter(), mesh, {"scales=3", "scale=2", "export_file=" + (folder_ / "sig.ply")});
   ASSERT_EQ(result.status, 0) << result.log;
   const PlyFile exported = read_ply(folder_ / "sig.ply");
   Parameters parameters;
@@ -146,15 +145,15 @@ TEST_P(FeatureFilters, SignatureIsTheCores)
 TEST_P(FeatureFilters, RefuseWithASentence)
 {
   const TriangleMesh mesh = torus(1, 0.4, 20, 10);
-  const std::pair<FilterId, std::pair<Assignments, const char*>> cases[] = {
-      {FilterId::crest_lines, {{"ridges=false", "valleys=false"}, "Nothing is asked for"}},
-      {FilterId::principal_directions, {{"maximal=false"}, "Nothing is asked for"}},
-      {FilterId::ridges_and_valleys, {{"threshold=1"}, "high_curvature"}},
-      {FilterId::ridges_and_valleys, {{"low_percentile=99"}, "low_percentile"}},
-      {FilterId::signature, {{"scale=9"}, "'scale' is 9"}},
+  const std::pair<const Filter*, std::pair<Assignments, const char*>> cases[] = {
+      {&crest_lines_filter(), {{"ridges=false", "valleys=false"}, "Nothing is asked for"}},
+      {&directions_filter(), {{"maximal=false"}, "Nothing is asked for"}},
+      {&ridges_and_valleys_filter(), {{"threshold=1"}, "high_curvature"}},
+      {&ridges_and_valleys_filter(), {{"low_percentile=99"}, "low_percentile"}},
+      {&signature_filter(), {{"scale=9"}, "'scale' is 9"}},
   };
   for (const auto& [filter, expected] : cases) {
-    const HostRun result = run(filter, mesh, expected.first, "saved.obj");
+    const HostRun result = run(*filter, mesh, expected.first, "saved.obj");
     EXPECT_NE(result.status, 0);
     EXPECT_NE(result.log.find(expected.second), std::string::npos) << result.log;
     EXPECT_FALSE(fs::exists(folder_ / "saved.obj"));

@@ -16,10 +16,10 @@ namespace {
 
 namespace filter = integral_invariant::filter;
 
-filter::Request request_of(const Assignments& assignments, filter::FilterId id = filter::FilterId::curvature)
+filter::Request request_of(const Assignments& assignments, const filter::Filter& of = filter::curvature_filter())
 {
   filter::Request request;
-  for (const std::string& assignment : assignments) filter::store_assignment(assignment, request, id);
+  for (const std::string& assignment : assignments) filter::store_assignment(of, assignment, request);
   return request;
 }
 
@@ -62,9 +62,9 @@ Host find_host(const std::string& release)
   return host;
 }
 
-std::string filter_script(const Assignments& assignments, filter::FilterId filter)
+std::string filter_script(const Assignments& assignments, const filter::Filter& of)
 {
-  return filter::filter_script(request_of(assignments, filter), filter);
+  return filter::filter_script(of, request_of(assignments, of));
 }
 
 std::string with_value(std::string script, const std::string& parameter, const std::string& value)
@@ -105,8 +105,8 @@ std::vector<std::string> runner_command(const std::string& release, const std::v
 
 void expect_equal_to_core(const PlyFile& exported, const TriangleMesh& mesh, const Assignments& assignments)
 {
-  const integral_invariant::Result core =
-      integral_invariant::compute_curvature(in_single_precision(mesh), request_of(assignments).method);
+  const integral_invariant::Result core = integral_invariant::compute_curvature(
+      in_single_precision(mesh), request_of(assignments).part<integral_invariant::Parameters>());
   expect_scalars("ii_kmax", exported.property("ii_kmax"), core.kappa_max);
   expect_scalars("ii_kmin", exported.property("ii_kmin"), core.kappa_min);
   expect_scalars("ii_radius", exported.property("ii_radius"), core.radius);

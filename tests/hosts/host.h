@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "parameter_table.h"
+#include "registry.h"
 #include "support/ply_file.h"
 #include "support/program.h"
 
@@ -28,8 +28,8 @@ Host find_host(const std::string& release);
 using Assignments = std::vector<std::string>;
 
 /// An .mlx of the filter, as users get it from write_filter_script.
-std::string filter_script(const Assignments& assignments, integral_invariant::filter::FilterId filter =
-                                                              integral_invariant::filter::FilterId::curvature);
+std::string filter_script(const Assignments& assignments, const integral_invariant::filter::Filter& filter =
+                                                              integral_invariant::filter::curvature_filter());
 /// The script with one parameter's value replaced by whatever text.
 std::string with_value(std::string script, const std::string& parameter, const std::string& value);
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hosts/host.h"
-#include "parameter_table.h"
+#include "registry.h"
 #include "support/models.h"
 #include "support/shapes.h"
 
@@ -15,8 +15,8 @@ namespace test_support {
 namespace {
 
 namespace fs = std::filesystem;
+using integral_invariant::filter::curvature_filter;
 using integral_invariant::filter::Kind;
-using integral_invariant::filter::parameter_table;
 using integral_invariant::filter::ParameterSpec;
 
 class MeshLabServer : public testing::Test {
@@ -213,7 +213,7 @@ std::vector<std::string> bad_values(const ParameterSpec& spec)
 TEST_F(MeshLabServer, RefusesEveryParameterOutOfItsRange)
 {
   const std::string mesh_file = written(torus(1, 0.4, 12, 8));
-  for (const ParameterSpec& spec : parameter_table())
+  for (const ParameterSpec& spec : curvature_filter().parameters)
     for (const std::string& value : bad_values(spec)) {
       SCOPED_TRACE(spec.name + ("=" + value));
       expect_refused(mesh_file, with_value(exporting(), spec.name, value), std::string("'") + spec.name + "'");

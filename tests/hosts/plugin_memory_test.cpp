@@ -7,16 +7,16 @@
 
 #include <common/interfaces.h>
 
+#include <algorithm>
 #include <tuple>
 
-#include "filters.h"
+#include "registry.h"
 #include "support/failing_allocation.h"
 #include "support/shapes.h"
 
 namespace {
 
-using integral_invariant::filter::FilterId;
-
+using namespace integral_invariant::filter;
 void add_torus(MeshDocument& document)
 {
   const integral_invariant::TriangleMesh torus = test_support::torus(1, 0.4, 24, 12);
@@ -43,7 +43,9 @@ class PluginMemory : public testing::Test {
   /// Adds a layer of principal directions; whether memory that ends at the n-th allocation was enough.
   bool adds_layer(MeshDocument& document, long n)
   {
-    QAction* action = filter_->actions().at(int(FilterId::principal_directions));
+    const auto& filters = all_filters();
+    const auto number = std::find(filters.begin(), filters.end(), &directions_filter()) - filters.begin();
+    QAction* action = filter_->actions().at(int(number));
     RichParameterList parameters;
     filter_->initParameterSet(action, document, parameters);
     bool applied = false;

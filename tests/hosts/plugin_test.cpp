@@ -10,8 +10,7 @@
 
 #include <filesystem>
 
-#include "filters.h"
-#include "parameter_table.h"
+#include "registry.h"
 #include "support/shapes.h"
 
 namespace {
@@ -59,7 +58,7 @@ class Plugin : public testing::Test {
   {
     filter_ = load_plugin();
     ASSERT_NE(filter_, nullptr);
-    ASSERT_EQ(filter_->actions().size(), integral_invariant::filter::filter_count);
+    ASSERT_EQ(std::size_t(filter_->actions().size()), integral_invariant::filter::all_filters().size());
     filter_->setLog(&log_);
   }
 
@@ -104,12 +103,12 @@ TEST_F(Plugin, SaysWhatItIs)
 TEST_F(Plugin, FiltersOfFeaturesListTheirParametersAndRefuseWithoutAMesh)
 {
   for (QAction* feature : filter_->actions()) {
-    const auto filter = static_cast<integral_invariant::filter::FilterId>(filter_->ID(feature));
-    EXPECT_EQ(filter_->filterName(feature), integral_invariant::filter::filter_facts(filter).name);
+    const auto& filter = *integral_invariant::filter::all_filters().at(std::size_t(filter_->ID(feature)));
+    EXPECT_EQ(filter_->filterName(feature), filter.name);
     MeshDocument document;
     RichParameterList list;
     filter_->initParameterSet(feature, document, list);
-    EXPECT_EQ(std::size_t(list.size()), integral_invariant::filter::parameter_table(filter).size());
+    EXPECT_EQ(std::size_t(list.size()), filter.parameters.size());
     EXPECT_FALSE(filter_->applyFilter(feature, document, list, obedient));
   }
 }
@@ -152,7 +151,7 @@ TEST_F(Plugin, NewLayersStandWhereTheMeshStands)
 TEST_F(Plugin, ListsItsParametersWithoutAMesh)
 {
   MeshDocument document;
-  EXPECT_EQ(std::size_t(defaults(document).size()), integral_invariant::filter::parameter_table().size());
+  EXPECT_EQ(std::size_t(defaults(document).size()), integral_invariant::filter::curvature_filter().parameters.size());
   EXPECT_FALSE(apply(document, defaults(document)));
 }
 

@@ -5,7 +5,9 @@
 
 #include <string>
 
-#include "feature_outcome.h"
+#include "integral_invariant/features/crest_lines.h"
+#include "integral_invariant/features/curvature_lines.h"
+#include "registry.h"
 #include "support/feature_shapes.h"
 #include "support/shuffle.h"
 
@@ -34,23 +36,27 @@ TriangleMesh smooth_mesh() { return test_support::torus(2, 0.6, 60, 18); }
 
 struct Case {
   const char* name;
-  FilterId filter;
+  const Filter& (*filter)();
   TriangleMesh (*mesh)();
 };
 
 class FeatureOrder : public testing::TestWithParam<Case> {};
 
-FeatureOutcome outcome_of(FilterId filter, const TriangleMesh& mesh, int threads, DirectionStyle style)
+/// Of the styles that principal directions have.
+constexpr double traced = 0, segments = 1;
+
+FilterResult result_of(const Filter& filter, const TriangleMesh& mesh, int threads, double style)
 {
   Request request;
-  request.method.threads = threads;
-  request.crest.minimum_strength = request.crest.minimum_sharpness = 0.1;
-  request.direction.minimal = true;
-  request.layer.style = style;
-  return compute_feature(filter, mesh, request, {});
+  request.part<Parameters>().threads = threads;
+  request.part<CrestLineParameters>().minimum_strength = 0.1;
+  request.part<CrestLineParameters>().minimum_sharpness = 0.1;
+  request.part<DirectionParameters>().minimal = true;
+  if (const ParameterSpec* spec = find_parameter(filter.parameters, "style")) store(*spec, style, request);
+  return run_filter(filter, {mesh, request});
 }
 
-void expect_same_bits(const FeatureOutcome& a, const FeatureOutcome& b, const ShuffledMesh& order)
+void expect_same_bits(const FilterResult& a, const FilterResult& b, const ShuffledMesh& order)
 {
   if (!a.selection.empty()) { EXPECT_EQ(a.selection, order.back(b.selection)); }
   if (!a.quality.empty()) { EXPECT_EQ(a.quality, order.back(b.quality)); }
@@ -70,8 +76,8 @@ void expect_same_bits(const FeatureOutcome& a, const FeatureOutcome& b, const Sh
     EXPECT_EQ(a.lines->attributes[i].values, b.lines->attributes[i].values);
 }
 
-constexpr FilterId ridges = FilterId::ridges_and_valleys, crest = FilterId::crest_lines,
-                   directions = FilterId::principal_directions, signature = FilterId::signature;
+constexpr auto ridges = ridges_and_valleys_filter, crest = crest_lines_filter, directions = directions_filter,
+               signature = signature_filter;
 
 INSTANTIATE_TEST_SUITE_P(
     Filters, FeatureOrder,
@@ -85,12 +91,12 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(FeatureOrder, ChangesNoBitWithAnyNumberOfThreads)
 {
   const TriangleMesh mesh = GetParam().mesh();
-  for (const DirectionStyle style : {DirectionStyle::traced, DirectionStyle::segments}) {
-    if (style == DirectionStyle::segments && GetParam().filter != directions) continue;
-    const FeatureOutcome reference = outcome_of(GetParam().filter, mesh, 1, style);
+  for (const double style : {traced, segments}) {
+    if (style == segments && GetParam().filter != directions) continue;
+    const FilterResult reference = result_of(GetParam().filter(), mesh, 1, style);
     for (const int threads : {1, 2, 3}) {
       const ShuffledMesh other = test_support::shuffled(mesh, std::uint32_t(threads));
-      expect_same_bits(reference, outcome_of(GetParam().filter, other.mesh, threads, style), other);
+      expect_same_bits(reference, result_of(GetParam().filter(), other.mesh, threads, style), other);
     }
   }
 }
@@ -99,8 +105,8 @@ TEST_P(FeatureOrder, ATriangleSoupHasWhatTheWeldedMeshHas)
 {
   const TriangleMesh mesh = GetParam().mesh();
   const test_support::Soup other = test_support::soup(mesh);
-  const FeatureOutcome welded = outcome_of(GetParam().filter, mesh, 1, DirectionStyle::traced);
-  const FeatureOutcome apart = outcome_of(GetParam().filter, other.mesh, 1, DirectionStyle::traced);
+  const FilterResult welded = result_of(GetParam().filter(), mesh, 1, traced);
+  const FilterResult apart = result_of(GetParam().filter(), other.mesh, 1, traced);
   ASSERT_EQ(apart.lines.has_value(), welded.lines.has_value());
   if (welded.lines) {
     EXPECT_FALSE(welded.lines->edges.empty());

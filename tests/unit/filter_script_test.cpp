@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-#include "filters.h"
-#include "help_text.h"
+#include "registry.h"
 
 namespace integral_invariant::filter {
 namespace {
@@ -15,18 +14,18 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 TEST(FilterScript, NamesTheFilterAndEveryParameter)
 {
-  const std::string xml = filter_script({});
-  EXPECT_TRUE(contains(xml, std::string("<filter name=\"") + filter_name + "\">"));
-  for (const ParameterSpec& spec : parameter_table())
+  const std::string xml = filter_script(curvature_filter(), {});
+  EXPECT_TRUE(contains(xml, std::string("<filter name=\"") + curvature_filter().name + "\">"));
+  for (const ParameterSpec& spec : curvature_filter().parameters)
     EXPECT_TRUE(contains(xml, std::string(" name=\"") + spec.name + "\"")) << spec.name;
 }
 
 TEST(FilterScript, HasWhatMeshLabAsksOfEachType)
 {
   Request request;
-  store_assignment("r_max=2.5", request);
-  store_assignment("colorize=false", request);
-  const std::string xml = filter_script(request);
+  store_assignment(curvature_filter(), "r_max=2.5", request);
+  store_assignment(curvature_filter(), "colorize=false", request);
+  const std::string xml = filter_script(curvature_filter(), request);
   EXPECT_TRUE(contains(xml, "<Param type=\"RichAbsPerc\" name=\"r_max\" value=\"2.5\" min=\"0\" max=\"2.5\"/>"));
   EXPECT_TRUE(contains(xml, "<Param type=\"RichBool\" name=\"colorize\" value=\"false\"/>"));
   EXPECT_TRUE(contains(xml, "name=\"radius_choice\" value=\"2\" enum_cardinality=\"3\""));
@@ -36,13 +35,12 @@ TEST(FilterScript, HasWhatMeshLabAsksOfEachType)
 
 TEST(FilterScript, IsWrittenForEveryFilterUnderEitherOfItsNames)
 {
-  for (int i = 0; i < filter_count; ++i) {
-    const auto filter = static_cast<FilterId>(i);
-    EXPECT_EQ(find_filter(filter_facts(filter).name), filter);
-    EXPECT_EQ(find_filter(filter_facts(filter).python_name), filter);
-    const std::string xml = filter_script({}, filter);
-    EXPECT_TRUE(contains(xml, std::string("<filter name=\"") + filter_facts(filter).name + "\">"));
-    for (const ParameterSpec& spec : parameter_table(filter))
+  for (const Filter* filter : all_filters()) {
+    EXPECT_EQ(&find_filter(filter->name), filter);
+    EXPECT_EQ(&find_filter(filter->python_name), filter);
+    const std::string xml = filter_script(*filter, {});
+    EXPECT_TRUE(contains(xml, std::string("<filter name=\"") + filter->name + "\">"));
+    for (const ParameterSpec& spec : filter->parameters)
       EXPECT_TRUE(contains(xml, std::string(" name=\"") + spec.name + "\"")) << spec.name;
   }
   EXPECT_THROW(find_filter("no such filter"), ParameterError);
@@ -51,16 +49,16 @@ TEST(FilterScript, IsWrittenForEveryFilterUnderEitherOfItsNames)
 TEST(FilterScript, EscapesFileNames)
 {
   Request request;
-  store_assignment("export_file=a&b<\"c\">=.ply", request);
-  EXPECT_TRUE(contains(filter_script(request), "value=\"a&amp;b&lt;&quot;c&quot;&gt;=.ply\""));
+  store_assignment(curvature_filter(), "export_file=a&b<\"c\">=.ply", request);
+  EXPECT_TRUE(contains(filter_script(curvature_filter(), request), "value=\"a&amp;b&lt;&quot;c&quot;&gt;=.ply\""));
 }
 
 TEST(FilterScript, RefusesWhatItDoesNotKnow)
 {
   Request request;
-  EXPECT_THROW(store_assignment("no_such=1", request), ParameterError);
-  EXPECT_THROW(store_assignment("alpha", request), ParameterError);
-  EXPECT_THROW(store_assignment("alpha=100", request), ParameterError);
+  EXPECT_THROW(store_assignment(curvature_filter(), "no_such=1", request), ParameterError);
+  EXPECT_THROW(store_assignment(curvature_filter(), "alpha", request), ParameterError);
+  EXPECT_THROW(store_assignment(curvature_filter(), "alpha=100", request), ParameterError);
 }
 
 /// What single precision cannot hold is not written: MeshLab 2020.09 aborts on it.
@@ -84,10 +82,10 @@ TEST(FilterScript, RefusesValuesBeyondSinglePrecisionByName)
 
 TEST(FilterScript, DocumentationHasARowForEveryParameter)
 {
-  const std::string text = parameter_documentation();
-  EXPECT_EQ(std::size_t(std::count(text.begin(), text.end(), '\n')), parameter_table().size() + 2);
+  const std::string text = parameter_documentation(curvature_filter());
+  EXPECT_EQ(std::size_t(std::count(text.begin(), text.end(), '\n')), curvature_filter().parameters.size() + 2);
   EXPECT_TRUE(contains(text, "| `r_min` | 0 (automatic) |"));
-  EXPECT_TRUE(contains(parameter_defaults(), "scales=7\n"));
+  EXPECT_TRUE(contains(parameter_defaults(curvature_filter()), "scales=7\n"));
 }
 
 }  // namespace

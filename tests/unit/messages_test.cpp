@@ -12,11 +12,15 @@
 #include <set>
 #include <sstream>
 
-#include "feature_outcome.h"
 #include "filter_script.h"
-#include "filters.h"
+#include "integral_invariant/features/crest_lines.h"
+#include "integral_invariant/features/curvature_lines.h"
+#include "integral_invariant/features/ridges_valleys.h"
+#include "integral_invariant/features/signature.h"
 #include "integral_invariant/curvature.h"
+#include "line_layer.h"
 #include "ply_export.h"
+#include "registry.h"
 #include "support/full_disk.h"
 #include "support/message_list.h"
 #include "support/shapes.h"
@@ -51,12 +55,13 @@ Action curvature(
   };
 }
 
-Action feature(FilterId filter, const std::function<void(Request&)>& change, const TriangleMesh& mesh = icosphere(2))
+Action feature(const Filter& filter, const std::function<void(Request&)>& change,
+               const TriangleMesh& mesh = icosphere(2))
 {
-  return [=] {
+  return [=, &filter] {
     Request request;
     change(request);
-    compute_feature(filter, mesh, request, {});
+    run_filter(filter, {mesh, request});
   };
 }
 
@@ -107,13 +112,13 @@ std::vector<Action> about_parameters()
   const TriangleMesh sphere = icosphere(2);
   const auto fixed = [](Parameters& p) { p = published_method(), p.radius_choice = RadiusChoice::fixed; };
   const auto ridges = [](const std::function<void(RidgeValleyParameters&)>& change) {
-    return feature(FilterId::ridges_and_valleys, [=](Request& r) { change(r.ridge_valley); });
+    return feature(ridges_and_valleys_filter(), [=](Request& r) { change(r.part<RidgeValleyParameters>()); });
   };
   return {
       curvature(sphere, [](Parameters& p) { p.alpha = -1; }),
       [] {
         Request request;
-        store_assignment("alpha=-1", request);
+        store_assignment(curvature_filter(), "alpha=-1", request);
       },
       curvature(sphere, [](Parameters& p) { p.estimator = Estimator::yang06; }),
       curvature(sphere, [](Parameters& p) { p.scales = 2; }),
@@ -127,23 +132,26 @@ std::vector<Action> about_parameters()
       ridges([](auto& p) { p.high_percentile = 200; }),
       ridges([](auto& p) { p.high_percentile = 20, p.low_percentile = 30; }),
       ridges([](auto& p) { p.ridges = p.valleys = false; }),
-      feature(FilterId::crest_lines, [](Request& r) { r.crest.ridges = r.crest.valleys = false; }),
-      feature(FilterId::principal_directions, [](Request& r) { r.direction.maximal = r.direction.minimal = false; }),
-      feature(FilterId::principal_directions, [](Request& r) { r.direction.spacing = 1e-9; }),
-      feature(FilterId::principal_directions,
-              [](Request& r) { r.layer.lift = std::numeric_limits<double>::quiet_NaN(); }),
-      feature(FilterId::crest_lines, [](Request& r) { r.layer.lift = std::numeric_limits<double>::infinity(); }),
-      feature(FilterId::signature, [](Request& r) { r.output.color_percentile = 1e9; }),
-      feature(FilterId::crest_lines, [](Request& r) { r.crest.smoothing_passes = 1000000; }),
-      feature(FilterId::principal_directions, [](Request& r) { r.direction.smoothing_passes = 1000000; }),
-      feature(FilterId::signature, [](Request& r) { r.signature.scale = 50; }),
+      feature(crest_lines_filter(),
+              [](Request& r) { r.part<CrestLineParameters>().ridges = r.part<CrestLineParameters>().valleys = false; }),
+      feature(
+          directions_filter(),
+          [](Request& r) { r.part<DirectionParameters>().maximal = r.part<DirectionParameters>().minimal = false; }),
+      feature(directions_filter(), [](Request& r) { r.part<DirectionParameters>().spacing = 1e-9; }),
+      feature(directions_filter(),
+              [](Request& r) { r.part<LayerOptions>().lift = std::numeric_limits<double>::quiet_NaN(); }),
+      feature(crest_lines_filter(),
+              [](Request& r) { r.part<LayerOptions>().lift = std::numeric_limits<double>::infinity(); }),
+      feature(signature_filter(), [](Request& r) { r.part<OutputOptions>().color_percentile = 1e9; }),
+      feature(crest_lines_filter(), [](Request& r) { r.part<CrestLineParameters>().smoothing_passes = 1000000; }),
+      feature(directions_filter(), [](Request& r) { r.part<DirectionParameters>().smoothing_passes = 1000000; }),
+      feature(signature_filter(), [](Request& r) { r.part<ReductionParameters>().scale = 50; }),
       [=] {
         reduce(compute_signature(sphere, {}), {SignatureQuantity::volume, Reduction::one_scale, 50, 2});
       },
       [=] {
         reduce(compute_signature(sphere, {}), {SignatureQuantity::volume, Reduction::p_norm, 1, 0});
       },
-      feature(FilterId::curvature, [](Request&) {}),
   };
 }
 
@@ -170,11 +178,14 @@ std::vector<Action> about_memory()
   const TriangleMesh sphere = icosphere(6);
   return {curvature(sphere, [](Parameters& p) { p.memory_limit_mb = 1; }),
           feature(
-              FilterId::signature, [](Request& r) { r.method.scales = 1, r.method.memory_limit_mb = 7; }, sphere),
+              signature_filter(),
+              [](Request& r) { r.part<Parameters>().scales = 1, r.part<Parameters>().memory_limit_mb = 7; }, sphere),
           feature(
-              FilterId::signature, [](Request& r) { r.method.memory_limit_mb = 1; }, sphere),
-          feature(FilterId::principal_directions,
-                  [](Request& r) { r.direction.spacing = 0.0005, r.method.memory_limit_mb = 300; }),
+              signature_filter(), [](Request& r) { r.part<Parameters>().memory_limit_mb = 1; }, sphere),
+          feature(directions_filter(),
+                  [](Request& r) {
+                    r.part<DirectionParameters>().spacing = 0.0005, r.part<Parameters>().memory_limit_mb = 300;
+                  }),
           voxels(needle(), 0.11 * average_edge_length(needle()), 30, 10),
           voxels(joined(icosphere(1), translated(icosphere(1), {1e7, 0, 0})), 0.06, 20, 300),
           voxels(icosphere(3), 0.5, 40, 20),
@@ -198,11 +209,11 @@ std::vector<Action> about_scripts()
 {
   return {[] {
             Request request;
-            store_assignment("alpha", request);
+            store_assignment(curvature_filter(), "alpha", request);
           },
           [] {
             Request request;
-            store_assignment("sugar=2", request);
+            store_assignment(curvature_filter(), "sugar=2", request);
           },
           [] { find_filter("Make Coffee"); },
           [] {

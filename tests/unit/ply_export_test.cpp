@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "curvature_result.h"
+#include "integral_invariant/error.h"
 #include "support/full_disk.h"
 #include "support/ply_file.h"
 #include "support/program.h"
@@ -38,34 +40,34 @@ class PlyExport : public testing::Test {
   test_support::TemporaryFolder temporary;
   fs::path folder = temporary.path();
   TriangleMesh mesh = test_support::icosphere(1);
-  Outcome outcome = make_outcome(made_up_result(mesh.positions.size()), {});
+  FilterResult result = curvature_result(made_up_result(mesh.positions.size()), {});
 };
 
 TEST_F(PlyExport, HasEveryOutputOfEveryVertex)
 {
   const fs::path file = folder / "out \xc3\xa9.ply";
-  EXPECT_EQ(export_ply(mesh, outcome, file.string()), file.string());
+  EXPECT_EQ(export_ply(mesh, result, file.string()), file.string());
   const test_support::PlyFile content = test_support::read_ply(file.string());
   EXPECT_EQ(content.triangles, mesh.triangles);
   const auto& p = content.vertex;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     EXPECT_FLOAT_EQ(float(p.at("x")[v]), float(mesh.positions[v].x));
-    EXPECT_EQ(p.at("ii_kmax")[v], outcome.result.kappa_max[v]);
-    EXPECT_EQ(p.at("ii_kmin")[v], outcome.result.kappa_min[v]);
-    EXPECT_EQ(p.at("ii_radius")[v], outcome.result.radius[v]);
-    EXPECT_EQ(p.at("ii_confidence")[v], outcome.result.confidence[v]);
-    EXPECT_EQ(p.at("ii_dirmax_x")[v], outcome.result.dir_max[v].x);
-    EXPECT_EQ(p.at("ii_dirmax_y")[v], outcome.result.dir_max[v].y);
-    EXPECT_EQ(p.at("ii_dirmin_z")[v], outcome.result.dir_min[v].z);
-    EXPECT_EQ(p.at("quality")[v], outcome.quality[v]);
-    EXPECT_EQ(p.at("green")[v], outcome.color(v)[1]);
+    EXPECT_EQ(p.at("ii_kmax")[v], result.curvature->kappa_max[v]);
+    EXPECT_EQ(p.at("ii_kmin")[v], result.curvature->kappa_min[v]);
+    EXPECT_EQ(p.at("ii_radius")[v], result.curvature->radius[v]);
+    EXPECT_EQ(p.at("ii_confidence")[v], result.curvature->confidence[v]);
+    EXPECT_EQ(p.at("ii_dirmax_x")[v], result.curvature->dir_max[v].x);
+    EXPECT_EQ(p.at("ii_dirmax_y")[v], result.curvature->dir_max[v].y);
+    EXPECT_EQ(p.at("ii_dirmin_z")[v], result.curvature->dir_min[v].z);
+    EXPECT_EQ(p.at("quality")[v], result.quality[v]);
+    EXPECT_EQ(p.at("green")[v], result.colors[v][1]);
   }
 }
 
 TEST_F(PlyExport, KeepsCoordinatesOfDoublePrecision)
 {
   for (Vec3& p : mesh.positions) p = p + Vec3{5e5, 5e6, 100};
-  export_ply(mesh, outcome, (folder / "a.ply").string());
+  export_ply(mesh, result, (folder / "a.ply").string());
   const test_support::PlyFile content = test_support::read_ply(folder / "a.ply");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     EXPECT_EQ(content.property("x")[v], mesh.positions[v].x);
@@ -76,9 +78,9 @@ TEST_F(PlyExport, KeepsCoordinatesOfDoublePrecision)
 
 TEST_F(PlyExport, HoldsWhatIsBeyondSinglePrecisionAsItsLargestValue)
 {
-  outcome.result.kappa_max[3] = 1e60;
-  outcome.quality[4] = -1e60;
-  export_ply(mesh, outcome, (folder / "a.ply").string());
+  result.curvature->kappa_max[3] = 1e60;
+  result.quality[4] = -1e60;
+  export_ply(mesh, result, (folder / "a.ply").string());
   const test_support::PlyFile content = test_support::read_ply(folder / "a.ply");
   EXPECT_EQ(content.property("ii_kmax")[3], std::numeric_limits<float>::max());
   EXPECT_EQ(content.property("quality")[4], -std::numeric_limits<float>::max());
@@ -86,8 +88,8 @@ TEST_F(PlyExport, HoldsWhatIsBeyondSinglePrecisionAsItsLargestValue)
 
 TEST_F(PlyExport, WithoutColoursThereAreNone)
 {
-  outcome.colorize = false;
-  export_ply(mesh, outcome, (folder / "a.ply").string());
+  result.colors.clear();
+  export_ply(mesh, result, (folder / "a.ply").string());
   EXPECT_EQ(test_support::read_ply(folder / "a.ply").vertex.count("red"), 0u);
 }
 
@@ -95,7 +97,7 @@ TEST_F(PlyExport, LeavesNoOtherFile)
 {
   require_writable((folder / "a.ply").string());
   EXPECT_TRUE(fs::is_empty(folder));
-  export_ply(mesh, outcome, (folder / "a.ply").string());
+  export_ply(mesh, result, (folder / "a.ply").string());
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
 }
 
@@ -103,7 +105,7 @@ TEST_F(PlyExport, SaysWhatCannotBeWritten)
 {
   for (const std::string& path : {(folder / "no such folder" / "a.ply").string(), folder.string()}) {
     EXPECT_THROW(require_writable(path), InputError);
-    EXPECT_THROW(export_ply(mesh, outcome, path), InputError);
+    EXPECT_THROW(export_ply(mesh, result, path), InputError);
   }
   EXPECT_TRUE(fs::is_empty(folder));
 }
@@ -114,7 +116,7 @@ TEST_F(PlyExport, FollowsALinkAndKeepsThePermissionsOfTheFile)
   test_support::write_text(folder / "data.ply", "older");
   fs::permissions(folder / "data.ply", mine);
   fs::create_symlink("data.ply", folder / "link.ply");
-  EXPECT_EQ(export_ply(mesh, outcome, (folder / "link.ply").string()), (folder / "data.ply").string());
+  EXPECT_EQ(export_ply(mesh, result, (folder / "link.ply").string()), (folder / "data.ply").string());
   EXPECT_TRUE(fs::is_symlink(folder / "link.ply"));
   EXPECT_EQ(fs::status(folder / "data.ply").permissions(), mine);
   EXPECT_EQ(test_support::read_ply(folder / "link.ply").triangles, mesh.triangles);
@@ -122,7 +124,7 @@ TEST_F(PlyExport, FollowsALinkAndKeepsThePermissionsOfTheFile)
 
 TEST_F(PlyExport, ReplacesNoDevice)
 {
-  EXPECT_THROW(export_ply(mesh, outcome, "/dev/null"), InputError);
+  EXPECT_THROW(export_ply(mesh, result, "/dev/null"), InputError);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
@@ -133,8 +135,8 @@ class FullDisk : public PlyExport {
   void SetUp() override
   {
     mesh = test_support::icosphere(4);
-    outcome = make_outcome(made_up_result(mesh.positions.size()), {});
-    export_ply(mesh, outcome, (folder / "whole.ply").string());
+    result = curvature_result(made_up_result(mesh.positions.size()), {});
+    export_ply(mesh, result, (folder / "whole.ply").string());
     whole = test_support::read_text(folder / "whole.ply");
     fs::create_directory(folder / "disk");
   }
@@ -146,7 +148,7 @@ class FullDisk : public PlyExport {
     const bool there = fs::exists(file);
     std::string refusal;
     try {
-      export_ply(mesh, outcome, file.string());
+      export_ply(mesh, result, file.string());
     } catch (const InputError& error) {
       refusal = error.what();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "outcome.h"
+#include "curvature_result.h"
 
 #include <gtest/gtest.h>
 
@@ -36,35 +36,37 @@ std::string joined(const std::vector<std::string>& lines)
   return text;
 }
 
-TEST(Outcome, HoldsTheChosenQuantity)
+TEST(CurvatureResult, HoldsTheChosenQuantity)
 {
   OutputOptions options;
   options.quality = Quantity::maximal;
-  const Outcome outcome = make_outcome(two_vertices(), options);
-  EXPECT_EQ(outcome.quality, (std::vector<double>{2, 4}));
-  EXPECT_DOUBLE_EQ(outcome.quality_statistics.maximum, 4);
+  const FilterResult result = curvature_result(two_vertices(), options);
+  EXPECT_EQ(result.quality, (std::vector<double>{2, 4}));
+  EXPECT_EQ(result.colors.size(), 2u);
+  ASSERT_TRUE(result.curvature.has_value());
+  EXPECT_EQ(result.curvature->kappa_min, (std::vector<double>{0, -4}));
 }
 
-TEST(Outcome, LinesTellScalesInAllUnitsAndDefects)
+TEST(CurvatureResult, LinesTellScalesInAllUnitsAndDefects)
 {
-  const std::string text = joined(summary_lines(make_outcome(two_vertices(), {})));
+  const std::string text = joined(curvature_result(two_vertices(), {}).log);
   for (const char* part :
        {"2 vertices", "radii 0.5 1.5", "edge lengths: 1 3", "% of the diagonal: 5 15", "3 boundary edges",
         "1 vertices joined", "1 vertices with little", "Time: 2.00 s", "mean curvature in 1/L"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
 }
 
-TEST(Outcome, ASoundMeshHasNoNote)
+TEST(CurvatureResult, ASoundMeshHasNoNote)
 {
   Result result = two_vertices();
   result.surface.boundary_edges = result.surface.joined_vertices = 0;
   result.confidence = {1, 1};
-  EXPECT_EQ(joined(summary_lines(make_outcome(result, {}))).find("Note:"), std::string::npos);
+  EXPECT_EQ(joined(curvature_result(result, {}).log).find("Note:"), std::string::npos);
 }
 
-TEST(Outcome, ValuesHaveStatisticsOfEveryQuantity)
+TEST(CurvatureResult, ValuesHaveStatisticsOfEveryQuantity)
 {
-  const auto list = summary_values(make_outcome(two_vertices(), {}));
+  const auto list = curvature_result(two_vertices(), {}).values;
   const std::map<std::string, SummaryValue> values(list.begin(), list.end());
   EXPECT_EQ(values.size(), list.size()) << "a name is there twice";
   EXPECT_EQ(std::get<int>(values.at("vertices")), 2);

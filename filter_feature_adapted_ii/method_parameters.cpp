@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parameters of the method and of its output.
-#include "parameter_rows.h"
+// The parameters of the method, and those of the output that filters share.
+#include "method_parameters.h"
 
-#include <algorithm>
+#include <stdexcept>
 #include <string>
+
+#include "integral_invariant/parameters.h"
 
 namespace integral_invariant::filter {
 
@@ -13,9 +15,10 @@ constexpr double largest_length =
     1e18;  // beyond the coordinates that meshes have; hosts keep numbers in single precision
 
 using P = Parameters;
-using O = OutputOptions;
 
-std::vector<ParameterSpec> method_rows()
+}  // namespace
+
+std::vector<ParameterSpec> method_parameters()
 {
   return {
       choice<&P::radius_choice>(
@@ -68,10 +71,9 @@ std::vector<ParameterSpec> method_rows()
   };
 }
 
-/// What few people change, and the later releases' dialogs show on request only.
-std::vector<ParameterSpec> detail_rows()
+std::vector<ParameterSpec> detail_parameters()
 {
-  std::vector<ParameterSpec> rows = {
+  std::vector<ParameterSpec> parameters = {
       choice<&P::spacing>("scale_spacing", {"Linear", "Geometric"},
                           {"Spacing of the scales",
                            "Linear: equal steps between the radii. Geometric: equal ratios, which reach a large radius "
@@ -122,50 +124,29 @@ std::vector<ParameterSpec> detail_rows()
           "memory_limit_mb", "MB", {0, largest_int},
           {"Memory limit (MB; 0: automatic)", "The most memory that may be used; 0: half of the machine's."}),
   };
-  for (ParameterSpec& spec : rows) spec.advanced = true;
-  return rows;
+  for (ParameterSpec& spec : parameters) spec.advanced = true;
+  return parameters;
 }
 
-std::vector<ParameterSpec> output_rows()
+std::vector<ParameterSpec> method_parameters(std::initializer_list<const char*> names)
 {
-  return {
-      choice<&O::quality>("quality",
-                          {"Mean curvature", "Gaussian curvature", "Maximal curvature", "Minimal curvature",
-                           "Shape index", "Curvedness", "Radius", "Largest absolute curvature"},
-                          {"Quality",
-                           "What is written into the quality of the vertices. Curvature is positive where the solid is "
-                           "convex. The shape "
-                           "index runs from -1 (cup) over 0 (saddle, flat) to 1 (cap)."}),
-      boolean<&O::colorize>(
-          "colorize",
-          {"Colour the vertices",
-           "Signed quantities: blue for negative, white for zero, red for positive. The others: from dark blue (small) "
-           "over green to yellow (large)."}),
-      real<&O::color_percentile>(
-          "color_percentile", "%", {50, 100},
-          {"Colour range (% of vertices)",
-           "So many per cent of the vertices lie inside the colour range, which is symmetric about zero for signed "
-           "quantities; the rest takes the end colours. 100: the whole range."}),
-      save_file(
-          "export_file",
-          {"Export to PLY",
-           "Writes the mesh with every output as a property of its vertices (ii_kmax, ii_kmin, ii_radius, "
-           "ii_confidence, "
-           "ii_dirmax_x, ... , quality, colour), because MeshLab saves no curvature directions. Empty: no file."}),
-  };
+  const std::vector<ParameterSpec> all = concatenate(method_parameters(), detail_parameters());
+  std::vector<ParameterSpec> chosen;
+  for (const char* name : names) {
+    const ParameterSpec* spec = find_parameter(all, name);
+    if (!spec) throw std::logic_error(std::string("The method has no parameter '") + name + "'.");
+    chosen.push_back(*spec);
+  }
+  return chosen;
 }
 
-}  // namespace
-
-std::vector<ParameterSpec> curvature_rows() { return joined(joined(method_rows(), output_rows()), detail_rows()); }
-
-std::vector<ParameterSpec> shared_rows(std::initializer_list<const char*> names)
+ParameterSpec color_percentile_parameter()
 {
-  const std::vector<ParameterSpec> all = curvature_rows();
-  std::vector<ParameterSpec> rows;
-  for (const std::string name : names)
-    rows.push_back(*std::find_if(all.begin(), all.end(), [&](const ParameterSpec& spec) { return name == spec.name; }));
-  return rows;
+  return real<&OutputOptions::color_percentile>(
+      "color_percentile", "%", {50, 100},
+      {"Colour range (% of vertices)",
+       "So many per cent of the vertices lie inside the colour range, which is symmetric about zero for signed "
+       "quantities; the rest takes the end colours. 100: the whole range."});
 }
 
 }  // namespace integral_invariant::filter

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of the parameters, and the validation of values against their rows.
-#include "parameter_table.h"
+// Validation of values against the ranges of parameters.
+#include "parameter.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "parameter_rows.h"
+#include "parameter_list.h"
 #include "utf8.h"
 
 namespace integral_invariant::filter {
@@ -55,16 +55,9 @@ double parse_value(const ParameterSpec& spec, const std::string& text)
 
 }  // namespace
 
-const std::vector<ParameterSpec>& parameter_table(FilterId filter)
+const ParameterSpec* find_parameter(const std::vector<ParameterSpec>& parameters, const std::string& name)
 {
-  static const std::vector<ParameterSpec> tables[filter_count] = {
-      curvature_rows(), ridge_valley_rows(), crest_line_rows(), direction_rows(), signature_rows()};
-  return tables[static_cast<int>(filter)];
-}
-
-const ParameterSpec* find_parameter(const std::string& name, FilterId filter)
-{
-  for (const ParameterSpec& spec : parameter_table(filter))
+  for (const ParameterSpec& spec : parameters)
     if (name == spec.name) return &spec;
   return nullptr;
 }
@@ -95,12 +88,10 @@ void store(const ParameterSpec& spec, double value, Request& request)
   spec.set(request, value);
 }
 
-void require_permitted(const std::string& name, const Request& request, FilterId filter)
+void require_permitted(const ParameterSpec& spec, const Request& request)
 {
-  const ParameterSpec* spec = find_parameter(name, filter);
-  if (!spec || !spec->get) return;
-  const double value = spec->get(request);
-  if (!is_permitted(*spec, value)) refuse(*spec, number_text(value));
+  const double value = spec.get(request);
+  if (!is_permitted(spec, value)) refuse(spec, number_text(value));
 }
 
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request)
@@ -110,7 +101,7 @@ void store_text(const ParameterSpec& spec, const std::string& text, Request& req
       std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   if (!is_utf8(text) || has_control) refuse(spec, "not UTF-8 without control characters");
   if (!text.empty() && !is_ply) refuse(spec, "'" + text + "'");
-  request.output.export_file = text;
+  spec.set_text(request, text);
 }
 
 void store_from_text(const ParameterSpec& spec, const std::string& text, Request& request)
@@ -121,7 +112,7 @@ void store_from_text(const ParameterSpec& spec, const std::string& text, Request
   spec.set(request, value);
 }
 
-double as_typed(float value)
+double undo_float_rounding(float value)
 {
   if (!std::isfinite(value)) return static_cast<double>(value);
   char text[32];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Host layer, without any host: the tables of the filters' parameters. The dialogs, the filter scripts, the
-// documentation and the validation of what scripts hand over all come from it.
+// Host layer, without any host: one parameter of a filter. The dialogs, the filter scripts, the documentation
+// and the validation of what scripts hand over all come from the filters' lists of these.
 #pragma once
 
 #include <string>
@@ -10,10 +10,6 @@
 #include "request.h"
 
 namespace integral_invariant::filter {
-
-/// The filters of the plugin.
-enum class FilterId { curvature = 0, ridges_and_valleys, crest_lines, principal_directions, signature };
-inline constexpr int filter_count = 5;
 
 enum class Kind { boolean, integer, real, length, choice, save_file };
 
@@ -28,18 +24,18 @@ struct ParameterSpec {
   const char* label;                 ///< short, for the dialog
   const char* tip;                   ///< one or two sentences
   const char* source;                ///< where in the literature it comes from; "" where it is this project's
-  double (*get)(const Request&);     ///< null for a save_file, whose text goes to output.export_file
+  double (*get)(const Request&);     ///< null for a save_file
   void (*set)(Request&, double);
+  const std::string& (*get_text)(const Request&);  ///< of a save_file; null for numbers
+  void (*set_text)(Request&, const std::string&);
   bool advanced;  ///< dialogs that can fold rows away show this one on request only
 };
 
-/// All parameters of a filter, in the order of the dialog.
-const std::vector<ParameterSpec>& parameter_table(FilterId filter = FilterId::curvature);
+/// The parameter of that name, or null.
+const ParameterSpec* find_parameter(const std::vector<ParameterSpec>& parameters, const std::string& name);
 
-/// The row of that name, or null.
-const ParameterSpec* find_parameter(const std::string& name, FilterId filter = FilterId::curvature);
-
-/// The value of an unchanged request: the default stands once, in Parameters and OutputOptions.
+/// The value of an unchanged request: the default stands once, in the struct that the parameter
+/// is a member of. 0 for a save_file.
 double default_value(const ParameterSpec& spec);
 
 /// The permitted values as text: "a number above 0 and at most 1", "one of 0 (Fast), 1 (Balanced), ...".
@@ -49,21 +45,20 @@ std::string range_text(const ParameterSpec& spec);
 void store(const ParameterSpec& spec, double value, Request& request);
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request);
 
-/// What `store` checks, of a request that was filled in by other means; nothing where the filter has no such parameter.
-/// \throw ParameterError
-void require_permitted(const std::string& name, const Request& request, FilterId filter);
+/// What `store` checks, of a request that was filled in by other means. \throw ParameterError
+void require_permitted(const ParameterSpec& spec, const Request& request);
 
 /// Reads `text` as a value of the parameter (a choice by index or label) and stores it. \throw ParameterError
 void store_from_text(const ParameterSpec& spec, const std::string& text, Request& request);
 
 /// The number that a person typed when a host kept it in single precision: 0.9, not 0.89999998. All hosts then compute
 /// with the same parameters, to the bit.
-double as_typed(float value);
+double undo_float_rounding(float value);
 /// PyMeshLab computes in double precision, but hands many parameters on in single.
-inline double as_typed(double value)
+inline double undo_float_rounding(double value)
 {
   const float single = static_cast<float>(value);
-  return static_cast<double>(single) == value ? as_typed(single) : value;
+  return static_cast<double>(single) == value ? undo_float_rounding(single) : value;
 }
 
 /// The shortest text that reads back as `value`.

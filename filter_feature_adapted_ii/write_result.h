@@ -1,43 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filters for features do, over any mesh type with MeshLab's fields and for either plugin interface:
-// everything is computed and exported before a mesh is touched.
+// How the result of a filter gets into a mesh, over any mesh type with MeshLab's fields and for either plugin
+// interface.
 #pragma once
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "feature_outcome.h"
-#include "filter_body.h"
-#include "ply_export.h"
+#include <vcg/complex/algorithms/update/bounding.h>
+#include <vcg/complex/algorithms/update/curvature_integral_invariant.h>
+
+#include "filter_result.h"
 
 namespace integral_invariant::filter {
-
-/// Writes what the outcome holds to the file: the lines, or the mesh with quality, colour and attributes.
-inline std::string export_feature(const TriangleMesh& mesh, const FeatureOutcome& outcome, const std::string& file)
-{
-  if (!outcome.lines)
-    return export_ply(mesh, PlyContents{{}, outcome.quality, outcome.colors, outcome.attributes}, file);
-  const LineLayer& lines = *outcome.lines;
-  return export_ply({lines.positions, {}}, PlyContents{lines.edges, lines.quality, lines.colors, lines.attributes},
-                    file);
-}
-
-/// Runs the filter on `mesh`, which is only read, and writes the export file, if any.
-/// \throw std::exception with a sentence for the user
-template <class MeshType>
-FeatureOutcome measure_feature(FilterId filter, const MeshType& mesh, const Request& request,
-                               const ProgressCallback& progress)
-{
-  const std::string& file = request.output.export_file;
-  if (!file.empty()) require_writable(file);
-  const TriangleMesh copy = vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>::CopyMesh(mesh);
-  FeatureOutcome outcome = compute_feature(filter, copy, request, progress);
-  if (file.empty()) return outcome;
-  outcome.exported = export_feature(copy, outcome, file);
-  outcome.log.push_back("Exported: " + outcome.exported);
-  return outcome;
-}
 
 /// The values as named attributes of the vertices, in the host's scalar type: others are not listed by later releases.
 /// All of them, or none where memory runs out.
@@ -83,21 +58,22 @@ void write_selection(MeshType& mesh, const std::vector<std::int32_t>& region, st
   }
 }
 
-/// Writes selection, quality, colour and attributes: all, or nothing where memory runs out. The host has enabled the
-/// fields.
+/// Writes everything but the lines: all of it, or nothing where memory runs out. The host has enabled the fields.
+/// \pre the result has no attributes of its own beside curvatures: each writes its own, all or none
 template <class MeshType>
-void write_feature(MeshType& mesh, const FeatureOutcome& outcome)
+void write_result(MeshType& mesh, const FilterResult& result)
 {
   using Update = vcg::tri::UpdateCurvatureIntegralInvariant<MeshType>;
   using Vertex = typename MeshType::VertexType;
-  std::vector<std::int32_t> of_slot(outcome.selection.empty() ? 0 : mesh.vert.size(), -1);
-  write_attributes(mesh, outcome.attributes);  // the last that can fail
-  if (!outcome.selection.empty()) write_selection(mesh, outcome.selection, std::move(of_slot));
+  std::vector<std::int32_t> of_slot(result.selection.empty() ? 0 : mesh.vert.size(), -1);
+  if (result.curvature) Update::Write(mesh, *result.curvature);
+  write_attributes(mesh, result.attributes);  // the last that can fail
+  if (!result.selection.empty()) write_selection(mesh, result.selection, std::move(of_slot));
   Update::ForEachVertexWithIndex(mesh, [&](Vertex& vertex, std::size_t v) {
-    if (!outcome.quality.empty())
-      vertex.Q() = Update::template Representable<typename Vertex::QualityType>(outcome.quality[v]);
-    if (outcome.colors.empty()) return;
-    const Color color = outcome.colors[v];
+    if (!result.quality.empty())
+      vertex.Q() = Update::template Representable<typename Vertex::QualityType>(result.quality[v]);
+    if (result.colors.empty()) return;
+    const Color color = result.colors[v];
     vertex.C() = vcg::Color4b(color[0], color[1], color[2], 255);
   });
 }

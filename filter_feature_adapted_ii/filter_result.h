@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Host layer, without any host: what the filters for features leave, complete before a mesh is touched.
+// Host layer, without any host: everything that a run of a filter leaves, complete before a mesh is touched.
 #pragma once
 
 #include <array>
@@ -7,14 +7,19 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "integral_invariant/support/execution.h"
-#include "outcome.h"
-#include "parameter_table.h"
+#include "integral_invariant/result.h"
 #include "quality.h"
 
 namespace integral_invariant::filter {
+
+/// One number a vertex under the name that hosts and files know it by.
+struct NamedValues {
+  std::string name;
+  std::vector<float> values;
+};
 
 /// Lines that become a layer of edges. One entry a vertex of the lines.
 struct LineLayer {
@@ -27,22 +32,32 @@ struct LineLayer {
   std::vector<NamedValues> attributes;
 };
 
-/// What is empty leaves the mesh as it is.
-struct FeatureOutcome {
+/// A line of the summary for programs.
+using SummaryValue = std::variant<int, double, std::string>;
+
+/// What is empty leaves the mesh as it is. Arrays have one entry a vertex, in the order of the mesh.
+struct FilterResult {
+  std::optional<Result> curvature;      ///< becomes the mesh's curvatures, directions, radii and the attributes of them
   std::vector<std::int32_t> selection;  ///< region of every vertex, -1: not selected
   std::vector<double> quality;
   std::vector<Color> colors;
   std::vector<NamedValues> attributes;
   std::optional<LineLayer> lines;
+
   std::vector<std::string> log;                              ///< one line an entry
   std::vector<std::pair<std::string, SummaryValue>> values;  ///< the same for programs
-  std::string exported;                                      ///< the file that was written; empty: none
 };
 
-/// Runs one of the filters other than FilterId::curvature. The order of vertices, faces and corners within a face
-/// changes nothing but the order of what belongs to the vertices (see make_canonical_mesh()). \throw InputError and its
-/// kinds, Cancelled
-FeatureOutcome compute_feature(FilterId filter, const TriangleMesh& mesh, const Request& request,
-                               const ProgressCallback& progress);
+/// Fields of a mesh, as hosts have to be told which ones a filter writes.
+enum MeshField : unsigned {
+  field_curvature = 1,  ///< principal curvatures and directions
+  field_radius = 2,
+  field_quality = 4,
+  field_color = 8,
+  field_selection = 16,
+};
+
+/// The fields of MeshField that the result has something for.
+unsigned written_fields(const FilterResult& result);
 
 }  // namespace integral_invariant::filter
