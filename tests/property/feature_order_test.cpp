@@ -7,6 +7,7 @@
 
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/curvature_lines.h"
+#include "integral_invariant/parameters.h"
 #include "registry.h"
 #include "support/feature_shapes.h"
 #include "support/shuffle.h"
