@@ -7,6 +7,7 @@
 
 #include "filter_script.h"
 #include "integral_invariant/curvature.h"
+#include "registry.h"
 #include "support/ply_file.h"
 
 namespace {
@@ -27,9 +28,10 @@ int main(int argc, char** argv)
 {
   if (argc < 3) return 2;
   try {
-    integral_invariant::filter::Request request;
-    for (int i = 3; i < argc; ++i) integral_invariant::filter::store_assignment(argv[i], request);
-    write_rows(integral_invariant::compute_curvature(test_support::read_ply(argv[1]).mesh(), request.method), argv[2]);
+    using namespace integral_invariant;
+    filter::Request request;
+    for (int i = 3; i < argc; ++i) filter::store_assignment(filter::curvature_filter(), argv[i], request);
+    write_rows(compute_curvature(test_support::read_ply(argv[1]).mesh(), request.part<Parameters>()), argv[2]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "core_curvature: %s\n", error.what());
     return 1;

@@ -66,9 +66,9 @@ TEST(FilterScript, RefusesValuesBeyondSinglePrecisionByName)
 {
   for (const char* assignment : {"radius=1e39", "noise=1e-50", "r_max=4e38", "r_min=1e-38"}) {
     Request request;
-    store_assignment(assignment, request);
+    store_assignment(curvature_filter(), assignment, request);
     try {
-      filter_script(request);
+      filter_script(curvature_filter(), request);
       FAIL() << assignment;
     } catch (const ParameterError& error) {
       const std::string name(assignment, std::string(assignment).find('='));
@@ -76,8 +76,9 @@ TEST(FilterScript, RefusesValuesBeyondSinglePrecisionByName)
     }
   }
   Request request;
-  for (const char* assignment : {"radius=3e38", "noise=1.3e-38", "r_max=0"}) store_assignment(assignment, request);
-  EXPECT_TRUE(contains(filter_script(request), "value=\"3e+38\""));
+  for (const char* assignment : {"radius=3e38", "noise=1.3e-38", "r_max=0"})
+    store_assignment(curvature_filter(), assignment, request);
+  EXPECT_TRUE(contains(filter_script(curvature_filter(), request), "value=\"3e+38\""));
 }
 
 TEST(FilterScript, DocumentationHasARowForEveryParameter)

@@ -218,8 +218,8 @@ std::vector<Action> about_scripts()
           [] { find_filter("Make Coffee"); },
           [] {
             Request request;
-            store_assignment("radius=1e39", request);
-            filter_script(request);
+            store_assignment(curvature_filter(), "radius=1e39", request);
+            filter_script(curvature_filter(), request);
           }};
 }
 
