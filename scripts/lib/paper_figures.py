@@ -54,7 +54,7 @@ def write_noisy(data, sigma, path):
 def write_simplified(data, count, path):
     decimation, cleaned = vtk.vtkQuadricDecimation(), vtk.vtkCleanPolyData()
     decimation.SetInputData(data)
-    decimation.SetTargetReduction(1 - count / data.GetNumberOfPolys())
+    decimation.SetTargetReduction(max(0.0, 1 - count / data.GetNumberOfPolys()))
     cleaned.SetInputConnection(decimation.GetOutputPort())
     cleaned.PointMergingOff()
     cleaned.Update()
