@@ -21,7 +21,7 @@ run_filter() {
   run_meshlabserver "$mesh" || status=$?
   if ((status != 0)) || [[ ! -s $work/export.ply ]]; then die "$(failure_reason "$named" "$status")"; fi
   filter_log
-  if [[ ${named,,} == *.ply ]]; then keep_properties "$named"; fi
+  if [[ ${named,,} == *.ply && ${1:-} != --filter ]]; then keep_properties "$named"; fi # of others the mesh may be a layer of lines
   mv -f -T -- "$work/export.ply" "$output" || die "cannot write $output."
 }
 

@@ -92,7 +92,8 @@ def key(first, second):
 def lines_of(shape, path, width, colour=None):
     """The edges of a line file; without a colour, by their kind."""
     elements = tables(path)
-    vertices, edges = elements["vertex"], elements["edge"]
+    vertices = elements["vertex"]
+    edges = elements.get("edge", np.zeros(0, dtype=[("vertex1", "i4"), ("vertex2", "i4")]))
     kinds = np.where(vertices["ii_kind"][:, None] > 0, RIDGE, VALLEY) if colour is None else np.tile(colour, (len(vertices), 1))
     return pic.lines_actor(shape.place(pic.positions(vertices)), np.column_stack([edges["vertex1"], edges["vertex2"]]), kinds, width)
 
