@@ -27,7 +27,7 @@ std::vector<ParameterSpec> method_parameters()
            "Feature-adapted: each vertex gets a ball as large as its feature allows, small on fine detail and large on "
            "flat parts. Fixed: all vertices get the same ball. Statistical: balls of all sizes at every vertex, each "
            "weighted by what it shows over the noise; the most accurate.",
-           "[Lai09] 4.2, [Yang06], docs/accuracy.md"}),
+           "[Lai09] 4.2, [Yang06], docs/method.md"}),
       choice<&P::estimator>(
           "estimator", {"Published", "Offset-free", "Bias removed"},
           {"Estimator",
@@ -35,13 +35,13 @@ std::vector<ParameterSpec> method_parameters()
            "sensitive to noise, as it knows that the vertex itself is noisy. Bias removed: offset-free, and the errors "
            "of "
            "large balls are removed by comparing scales. A statistical radius needs one of the latter two.",
-           "[Yang06], docs/accuracy.md"}),
+           "[Yang06], docs/method.md"}),
       real<&P::noise>("noise", "mesh", {0, largest_length},
                       {"Noise (0: estimated)",
                        "Standard deviation of the noise along the normal, if it is known. 0: estimated, place by "
                        "place. Used when the "
                        "radius is statistical.",
-                       "docs/accuracy.md"}),
+                       "docs/method.md"}),
       integer<&P::scales>("scales", "", {1, limits::max_scales},
                           {"Number of scales",
                            "How many radii are computed between the smallest and the largest; what lies between two of "

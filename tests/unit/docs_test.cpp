@@ -100,12 +100,12 @@ std::vector<std::string> named_files_of(const fs::path& page)
   return matches(page, pattern);
 }
 
-/// Whether there is such a file or folder, from the root or from the core's folder, a header and source by one name.
-/// What a build makes is not asked for.
-bool exists_in_tree(const std::string& name)
+/// Whether there is such a file or folder, seen from the page, the root or the core; a header and its source have one
+/// name. What a build makes is not asked for.
+bool exists_in_tree(const fs::path& page, const std::string& name)
 {
   if (name.rfind("build/", 0) == 0) return true;
-  for (const fs::path& folder : {root, root / "vcg_ext/integral_invariant"})
+  for (const fs::path& folder : {page.parent_path(), root, root / "vcg_ext/integral_invariant"})
     for (const char* ending : {"", ".h", ".cpp"})
       if (fs::exists(folder / (name + ending))) return true;
   return false;
@@ -124,7 +124,7 @@ TEST(Docs, NamedFilesExist)
 {
   for (const fs::path& page : pages())
     for (const std::string& name : named_files_of(page))
-      EXPECT_TRUE(exists_in_tree(name)) << fs::relative(page, root).string() << ": " << name;
+      EXPECT_TRUE(exists_in_tree(page, name)) << fs::relative(page, root).string() << ": " << name;
 }
 
 /// Members in code quotes, such as `NoiseLevel::sigma`.
