@@ -3,6 +3,7 @@
 #include "ply_export.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "integral_invariant/error.h"
@@ -49,54 +50,77 @@ void add_curvature(const Result& result, std::vector<NamedValues>& properties)
   add_direction("ii_dirmin", result.dir_min, properties);
 }
 
-bool fit_single_precision(const std::vector<Vec3>& positions)
+/// A coordinate of every vertex.
+PlyProperty coordinate(const char* name, const std::vector<Vec3>& positions, double Vec3::*axis)
 {
-  const auto fits = [](double x) { return double(float(x)) == x; };
-  return std::all_of(positions.begin(), positions.end(),
-                     [&](const Vec3& p) { return fits(p.x) && fits(p.y) && fits(p.z); });
+  return exact_property(name, positions.size(), [&](std::size_t v) { return positions[v].*axis; });
 }
 
-template <class Scalar>
-void add_coordinates(const std::vector<Vec3>& positions, PlyElement& vertices)
+bool is_component(const std::string& name)
 {
-  const std::size_t n = positions.size();
-  vertices.properties.push_back(ply_property<Scalar>("x", n, [&](std::size_t v) { return positions[v].x; }));
-  vertices.properties.push_back(ply_property<Scalar>("y", n, [&](std::size_t v) { return positions[v].y; }));
-  vertices.properties.push_back(ply_property<Scalar>("z", n, [&](std::size_t v) { return positions[v].z; }));
+  const std::string end = name.size() < 2 ? "" : name.substr(name.size() - 2);
+  return end == "_x" || end == "_y" || end == "_z";
 }
 
-void add_colors(const std::vector<Color>& colors, PlyElement& vertices)
+/// Scalars are there a second time as scalar_<name>, by which CloudCompare knows them; it reads no others unasked.
+std::vector<PlyProperty> result_properties(const PlyContents& contents, std::size_t vertices)
 {
+  std::vector<PlyProperty> properties;
   const char* const channels[] = {"red", "green", "blue"};
-  for (std::size_t channel = 0; channel < 3; ++channel)
-    vertices.properties.push_back(ply_property<std::uint8_t>(channels[channel], colors.size(),
-                                                             [&](std::size_t v) { return colors[v][channel]; }));
-  vertices.properties.push_back(ply_property<std::uint8_t>("alpha", colors.size(), [](std::size_t) { return 255; }));
-}
-
-/// Coordinates in single precision where that changes none of them.
-PlyElement vertex_element(const TriangleMesh& mesh, const PlyContents& contents)
-{
-  const std::size_t n = mesh.positions.size();
-  PlyElement vertices{"vertex", n, {}};
-  if (fit_single_precision(mesh.positions))
-    add_coordinates<float>(mesh.positions, vertices);
-  else
-    add_coordinates<double>(mesh.positions, vertices);
-  if (!contents.colors.empty()) add_colors(contents.colors, vertices);
+  for (std::size_t channel = 0; channel < 3 && !contents.colors.empty(); ++channel)
+    properties.push_back(ply_property<std::uint8_t>(channels[channel], vertices,
+                                                    [&](std::size_t v) { return contents.colors[v][channel]; }));
+  if (!contents.colors.empty())
+    properties.push_back(ply_property<std::uint8_t>("alpha", vertices, [](std::size_t) { return 255; }));
   const auto add = [&](const std::string& name, auto value_of) {
-    vertices.properties.push_back(ply_property<float>(name, n, value_of));
+    properties.push_back(ply_property<float>(name, vertices, value_of));
   };
   if (!contents.quality.empty()) add("quality", [&](std::size_t v) { return storable(contents.quality[v]); });
   for (const NamedValues& named : contents.properties) add(named.name, [&](std::size_t v) { return named.values[v]; });
+  for (const NamedValues& named : contents.properties)
+    if (!is_component(named.name)) add("scalar_" + named.name, [&](std::size_t v) { return named.values[v]; });
+  return properties;
+}
+
+bool has(const std::vector<PlyProperty>& properties, const std::string& name)
+{
+  return std::any_of(properties.begin(), properties.end(), [&](const PlyProperty& p) { return p.name == name; });
+}
+
+bool is_measured(const PlyProperty& property) { return property.name.rfind("ii_", 0) == 0; }
+
+/// What the user brought follows under its name, or where a result has that name, as original_<name>. Beside results of
+/// an earlier run, what they have the names of is theirs too, and makes room for this one's.
+void add_extras(std::vector<PlyProperty> extras, std::vector<PlyProperty>& properties)
+{
+  const bool measured_before = std::any_of(extras.begin(), extras.end(), is_measured);
+  std::vector<PlyProperty> kept;
+  for (PlyProperty& extra : extras) {
+    const bool replaced = has(properties, extra.name);
+    if (replaced && measured_before) continue;
+    if (replaced) extra.name = "original_" + extra.name;
+    kept.push_back(std::move(extra));
+  }
+  properties.insert(properties.end(), std::make_move_iterator(kept.begin()), std::make_move_iterator(kept.end()));
+}
+
+PlyElement vertex_element(const TriangleMesh& mesh, const PlyContents& contents)
+{
+  PlyElement vertices{"vertex", mesh.positions.size(), result_properties(contents, mesh.positions.size())};
+  add_extras(contents.extras.vertex, vertices.properties);
+  vertices.properties.insert(vertices.properties.begin(),
+                             {coordinate("x", mesh.positions, &Vec3::x), coordinate("y", mesh.positions, &Vec3::y),
+                              coordinate("z", mesh.positions, &Vec3::z)});
   return vertices;
 }
 
-PlyElement face_element(const TriangleMesh& mesh)
+PlyElement face_element(const TriangleMesh& mesh, const MeshExtras& extras)
 {
   const std::size_t n = mesh.triangles.size();
-  return {
+  PlyElement faces{
       "face", n, {ply_list<std::int32_t, 3>("vertex_indices", n, [&](std::size_t f) { return mesh.triangles[f]; })}};
+  add_extras(extras.face, faces.properties);
+  return faces;
 }
 
 PlyElement edge_element(const PlyContents& contents)
@@ -127,23 +151,24 @@ void require_writable(const std::string& path)
 
 std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, const std::string& path)
 {
-  std::vector<PlyElement> elements{vertex_element(mesh, contents), face_element(mesh)};
+  std::vector<PlyElement> elements{vertex_element(mesh, contents), face_element(mesh, contents.extras)};
   if (!contents.edges.empty()) elements.push_back(edge_element(contents));
   try {
-    return write_ply(elements, {}, path);
+    return write_ply(elements, contents.extras.comments, path);
   } catch (const FileError& error) {
     refuse(path, error);
   }
 }
 
-std::string export_ply(const TriangleMesh& mesh, const FilterResult& result, const std::string& path)
+std::string export_ply(const TriangleMesh& mesh, const FilterResult& result, const std::string& path,
+                       const MeshExtras& extras)
 {
   if (result.lines) {
     const LineLayer& lines = *result.lines;
-    return export_ply({lines.positions, {}}, PlyContents{lines.edges, lines.quality, lines.colors, lines.attributes},
-                      path);
+    return export_ply({lines.positions, {}},
+                      PlyContents{lines.edges, lines.quality, lines.colors, lines.attributes, {}}, path);
   }
-  PlyContents contents{{}, result.quality, result.colors, {}};
+  PlyContents contents{{}, result.quality, result.colors, {}, extras};
   if (result.curvature) add_curvature(*result.curvature, contents.properties);
   contents.properties.insert(contents.properties.end(), result.attributes.begin(), result.attributes.end());
   return export_ply(mesh, contents, path);

@@ -11,8 +11,15 @@
 
 #include "filter_result.h"
 #include "integral_invariant/mesh/surface.h"
+#include "ply_writer.h"
 
 namespace integral_invariant::filter {
+
+/// What the user's mesh has beside its shape: rows in the order of its vertices and faces.
+struct MeshExtras {
+  std::vector<PlyProperty> vertex, face;
+  std::vector<std::string> comments;
+};
 
 /// What goes into a file beside the mesh; empty: nothing of that kind. Entries a vertex in its order.
 struct PlyContents {
@@ -20,6 +27,7 @@ struct PlyContents {
   std::vector<double> quality;
   std::vector<Color> colors;
   std::vector<NamedValues> properties;
+  MeshExtras extras;
 };
 
 /// Binary PLY of the mesh (which may have no triangles) with those contents. The file appears whole or not at all: a
@@ -28,8 +36,10 @@ std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, co
 
 /// The same of a run. Lines: x y z, red green blue alpha (where they are coloured), quality, their attributes, edges.
 /// Otherwise the mesh with colour, quality and attributes, and, where there are curvatures, ii_kmax, ii_kmin,
-/// ii_radius, ii_confidence, ii_error, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are.
-std::string export_ply(const TriangleMesh& mesh, const FilterResult& result, const std::string& path);
+/// ii_radius, ii_confidence, ii_error, ii_dirmax_x _y _z, ii_dirmin_x _y _z; faces as they are. Each scalar attribute
+/// is there as scalar_ii_kmax etc. too, and the extras as they are, as original_red etc. where a result takes the name.
+std::string export_ply(const TriangleMesh& mesh, const FilterResult& result, const std::string& path,
+                       const MeshExtras& extras = {});
 
 /// \throw InputError unless a file can be made in the folder of `path`: tells the user before the long computation
 void require_writable(const std::string& path);

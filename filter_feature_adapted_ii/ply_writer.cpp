@@ -19,13 +19,22 @@ constexpr const char* format_line()
 #endif
 }
 
+/// A word of the header is ended by a space.
+std::string as_word(std::string name)
+{
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) <= ' ') c = '_';
+  return name;
+}
+
 std::string header(const std::vector<PlyElement>& elements, const std::vector<std::string>& comments)
 {
   std::string text = std::string("ply\n") + format_line();
   for (const std::string& comment : comments) text += "comment " + comment + "\n";
   for (const PlyElement& element : elements) {
     text += "element " + element.name + " " + std::to_string(element.count) + "\n";
-    for (const PlyProperty& property : element.properties) text += "property " + property.declaration + "\n";
+    for (const PlyProperty& property : element.properties)
+      text += "property " + property.type + " " + as_word(property.name) + "\n";
   }
   return text + "end_header\n";
 }

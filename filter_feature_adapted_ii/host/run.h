@@ -11,6 +11,7 @@
 #include <vcg/complex/algorithms/update/selection.h>
 #include <wrap/callback.h>
 
+#include "../mesh_extras.h"
 #include "../ply_export.h"
 #include "../registry.h"
 #include "../write_result.h"
@@ -70,15 +71,22 @@ inline std::string failure_text(const std::exception& error)
   return error.what();
 }
 
+/// What the user's mesh has beside its shape.
+inline MeshExtras extras_of(const MeshModel& model)
+{
+  return mesh_extras(model.cm,
+                     {model.hasDataMask(MeshModel::MM_VERTCOLOR), model.hasDataMask(MeshModel::MM_VERTQUALITY)});
+}
+
 /// Runs the filter on the mesh, which is only read (deleted elements are skipped), and writes the export file, if any.
-inline FilterResult measure(const Filter& filter, const CMeshO& mesh, const Request& request,
+inline FilterResult measure(const Filter& filter, const MeshModel& model, const Request& request,
                             const ProgressCallback& progress)
 {
   const std::string& file = request.part<OutputOptions>().export_file;
   if (!file.empty()) require_writable(file);
-  const TriangleMesh copy = vcg::tri::UpdateCurvatureIntegralInvariant<CMeshO>::CopyMesh(mesh);
+  const TriangleMesh copy = vcg::tri::UpdateCurvatureIntegralInvariant<CMeshO>::CopyMesh(model.cm);
   FilterResult result = run_filter(filter, {copy, request}, progress);
-  const std::string exported = file.empty() ? "" : export_ply(copy, result, file);
+  const std::string exported = file.empty() ? "" : export_ply(copy, result, file, extras_of(model));
   if (!exported.empty()) result.log.push_back("Exported: " + exported);
   result.values.emplace_back("exported", exported);
   return result;
@@ -126,7 +134,7 @@ inline RunReport run_on_document(const Filter& filter, MeshDocument& document, c
 {
   MeshModel* model = document.mm();
   if (!model) throw InputError("There is no mesh to measure: open one first.");
-  const FilterResult result = measure(filter, model->cm, read_request(filter.parameters, parameters), progress);
+  const FilterResult result = measure(filter, *model, read_request(filter.parameters, parameters), progress);
   RunReport report{result.log, result.values, data_mask(written_fields(result))};
   model->updateDataMask(report.written);
   write_result(model->cm, result);

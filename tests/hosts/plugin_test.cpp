@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "registry.h"
+#include "support/ply_file.h"
 #include "support/shapes.h"
 
 namespace {
@@ -219,6 +220,48 @@ TEST_F(Plugin, ExportsAFile)
   ASSERT_TRUE(apply(document, list)) << filter_->errorMsg().toStdString();
   EXPECT_GT(std::filesystem::file_size(file), 642u * 56u);
   std::filesystem::remove(file);
+}
+
+TEST_F(Plugin, ExportKeepsWhatTheMeshHadBeside)
+{
+  const std::string file = testing::TempDir() + "plugin_test_extras.ply";
+  MeshDocument document;
+  add_sphere(document);
+  MeshModel& model = *document.mm();
+  CMeshO& mesh = model.cm;
+  model.updateDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTTEXCOORD |
+                       MeshModel::MM_WEDGTEXCOORD | MeshModel::MM_FACECOLOR);
+  auto temperature = vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<Scalarm>(mesh, "temperature");
+  auto velocity = vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<Point3m>(mesh, "velocity");
+  for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
+    CVertexO& v = mesh.vert[i];
+    v.C() = vcg::Color4b(static_cast<unsigned char>(i % 250), 2, 3, 255);
+    v.Q() = 10 * float(i);
+    v.T().U() = float(i) / 1024;
+    v.N() = Point3m(0, 0, Scalarm(i));
+    temperature[v] = Scalarm(i) + 1;
+    velocity[v] = Point3m(0, Scalarm(i), 0);
+  }
+  for (std::size_t i = 0; i < mesh.face.size(); ++i)
+    mesh.face[i].C() = vcg::Color4b(7, 8, static_cast<unsigned char>(i % 250), 255);
+  mesh.textures.push_back("skin.png");
+
+  RichParameterList list = defaults(document);
+  list.setValue("export_file", FileValue(QString::fromStdString(file)));
+  ASSERT_TRUE(apply(document, list)) << filter_->errorMsg().toStdString();
+  const test_support::PlyFile content = test_support::read_ply(file);
+  std::filesystem::remove(file);
+  for (std::size_t i = 1; i < mesh.vert.size(); ++i) {  // the first vertex is deleted
+    const std::size_t v = i - 1;
+    EXPECT_EQ(content.property("original_red")[v], double(i % 250));
+    EXPECT_EQ(content.property("original_quality")[v], 10 * double(i));
+    EXPECT_EQ(content.property("s")[v], double(i) / 1024);
+    EXPECT_EQ(content.property("nz")[v], double(i));
+    EXPECT_EQ(content.property("temperature")[v], double(i) + 1);
+    EXPECT_EQ(content.property("velocity_y")[v], double(i));
+    EXPECT_EQ(float(content.property("quality")[v]), mesh.vert[i].Q());
+  }
+  EXPECT_EQ(content.triangles.size(), std::size_t(mesh.fn));
 }
 
 TEST_F(Plugin, BadValuesFromAScriptAreRefused)

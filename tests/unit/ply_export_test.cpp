@@ -53,6 +53,7 @@ TEST_F(PlyExport, HasEveryOutputOfEveryVertex)
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     EXPECT_FLOAT_EQ(float(p.at("x")[v]), float(mesh.positions[v].x));
     EXPECT_EQ(p.at("ii_kmax")[v], result.curvature->kappa_max[v]);
+    EXPECT_EQ(p.at("scalar_ii_kmax")[v], result.curvature->kappa_max[v]);
     EXPECT_EQ(p.at("ii_kmin")[v], result.curvature->kappa_min[v]);
     EXPECT_EQ(p.at("ii_radius")[v], result.curvature->radius[v]);
     EXPECT_EQ(p.at("ii_confidence")[v], result.curvature->confidence[v]);
@@ -84,6 +85,59 @@ TEST_F(PlyExport, HoldsWhatIsBeyondSinglePrecisionAsItsLargestValue)
   const test_support::PlyFile content = test_support::read_ply(folder / "a.ply");
   EXPECT_EQ(content.property("ii_kmax")[3], std::numeric_limits<float>::max());
   EXPECT_EQ(content.property("quality")[4], -std::numeric_limits<float>::max());
+}
+
+/// What a host's mesh brings: a colour, a scalar and texture coordinates.
+MeshExtras made_up_extras(const TriangleMesh& mesh)
+{
+  const auto row = [](std::size_t i) { return double(i); };
+  MeshExtras extras;
+  extras.vertex = {ply_property<std::uint8_t>("red", mesh.positions.size(), [](std::size_t v) { return v % 200; }),
+                   exact_property("temperature", mesh.positions.size(), row),
+                   exact_property("precise", mesh.positions.size(), [](std::size_t v) { return double(v) / 10; })};
+  extras.face = {ply_list<float, 6>("texcoord", mesh.triangles.size(),
+                                    [](std::size_t f) { return std::array<float, 6>{float(f), 1, 2, 3, 4, 5}; }),
+                 exact_property("stress tensor", mesh.triangles.size(), row)};
+  extras.comments = {"TextureFile skin.png"};
+  return extras;
+}
+
+TEST_F(PlyExport, KeepsWhatTheUserBroughtBesideTheResults)
+{
+  PlyContents contents;
+  contents.colors.assign(mesh.positions.size(), Color{1, 2, 3});
+  contents.extras = made_up_extras(mesh);
+  const fs::path file = folder / "a.ply";
+  export_ply(mesh, contents, file.string());
+  const test_support::PlyFile content = test_support::read_ply(file);
+  EXPECT_EQ(content.triangles, mesh.triangles);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    EXPECT_EQ(content.property("red")[v], 1);
+    EXPECT_EQ(content.property("original_red")[v], double(v % 200));
+    EXPECT_EQ(content.property("temperature")[v], double(v));
+    EXPECT_EQ(content.property("precise")[v], double(v) / 10) << "in double precision, where single would change it";
+  }
+  const std::string text = test_support::read_text(file);
+  const std::string header = text.substr(0, text.find("end_header"));
+  for (const char* line :
+       {"comment TextureFile skin.png\n", "property list uchar float texcoord\n", "property float stress_tensor\n",
+        "property float temperature\n", "property double precise\n"})
+    EXPECT_NE(header.find(line), std::string::npos) << line;
+}
+
+TEST_F(PlyExport, ResultsOfAnEarlierRunMakeRoom)
+{
+  PlyContents contents;
+  contents.colors.assign(mesh.positions.size(), Color{1, 2, 3});
+  contents.extras = made_up_extras(mesh);
+  contents.extras.vertex.push_back(exact_property("ii_kmax", mesh.positions.size(), [](std::size_t) { return 9; }));
+  contents.properties = {{"ii_kmax", std::vector<float>(mesh.positions.size(), 4)}};
+  export_ply(mesh, contents, (folder / "a.ply").string());
+  const test_support::PlyFile content = test_support::read_ply(folder / "a.ply");
+  EXPECT_EQ(content.property("ii_kmax")[0], 4);
+  EXPECT_EQ(content.property("red")[0], 1);
+  EXPECT_EQ(content.property("temperature")[5], 5);
+  EXPECT_EQ(content.vertex.count("original_red") + content.vertex.count("original_ii_kmax"), 0u);
 }
 
 TEST_F(PlyExport, WithoutColoursThereAreNone)
