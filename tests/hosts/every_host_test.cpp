@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 
 #include "hosts/host.h"
 #include "support/shapes.h"
+#include "support/shuffle.h"
+#include "support/single_precision.h"
 
 namespace test_support {
 namespace {
@@ -60,6 +63,68 @@ TEST_P(EveryHost, RefusesBadInputWithASentenceAndSavesNothing)
   EXPECT_NE(run.log.find("'scales'"), std::string::npos) << run.log;
   EXPECT_FALSE(fs::exists(folder_ / "saved.ply"));
   EXPECT_FALSE(fs::exists(folder_ / "export.ply"));
+}
+
+TEST_P(EveryHost, GivesASoupTheCurvaturesOfTheWeldedMeshAtEveryCopy)
+{
+  const TriangleMesh mesh = in_single_precision(mesh_to_measure());
+  const Soup apart = soup(mesh);
+  write_ply(folder_ / "soup.ply", apart.mesh);
+  ASSERT_EQ(run_script(host_, folder_ / "mesh.ply", exporting(), "").status, 0);
+  const PlyFile welded = read_ply(folder_ / "export.ply");
+  const HostRun run = run_script(host_, folder_ / "soup.ply", exporting(), "");
+  ASSERT_EQ(run.status, 0) << run.log;
+  const PlyFile found = read_ply(folder_ / "export.ply");
+  for (const char* name : {"ii_kmax", "ii_kmin", "ii_radius", "ii_error", "ii_confidence", "ii_dirmax_x"})
+    EXPECT_EQ(found.property(name), apart.copies(welded.property(name))) << name;
+  const std::string joined = std::to_string(apart.mesh.positions.size() - mesh.positions.size());
+  EXPECT_NE(run.log.find(joined + " vertices joined with another at the same place"), std::string::npos) << run.log;
+}
+
+TEST_P(EveryHost, DrawsTheSameLinesOnASoup)
+{
+  const auto lines_of = [&](const TriangleMesh& mesh) {
+    write_ply(folder_ / "drawn.ply", mesh);
+    const std::string script =
+        filter_script({"export_file=" + (folder_ / "lines.ply")}, integral_invariant::filter::crest_lines_filter());
+    EXPECT_EQ(run_script(host_, folder_ / "drawn.ply", script, "").status, 0);
+    return read_text(folder_ / "lines.ply");
+  };
+  TriangleMesh ellipsoid = icosphere(3);
+  for (Vec3& p : ellipsoid.positions) p = {3 * p.x, 2 * p.y, p.z};
+  const std::string lines = lines_of(ellipsoid);
+  EXPECT_GT(lines.size(), 1000u);
+  EXPECT_TRUE(lines == lines_of(soup(ellipsoid).mesh));
+}
+
+TEST_P(EveryHost, SaysThatCoordinatesHaveLostTheShape)
+{
+  write_ply(folder_ / "far.ply", translated(torus(3, 1, 90, 30), {5e5, 5e6, 100}));
+  const HostRun run = run_script(host_, folder_ / "far.ply", exporting(), folder_ / "saved.ply");
+  EXPECT_NE(run.status, 0);
+  EXPECT_NE(run.log.find("have lost its shape"), std::string::npos) << run.log;
+  EXPECT_NE(run.log.find("Move the mesh to the origin"), std::string::npos) << run.log;
+  EXPECT_FALSE(fs::exists(folder_ / "export.ply"));
+}
+
+/// What MeshLab reads of a PLY file; the rest it has not seen.
+TEST_P(EveryHost, KeepsWhatTheMeshHadBeside)
+{
+  const TriangleMesh mesh = mesh_to_measure();
+  std::map<std::string, std::vector<double>> beside;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double row = double(v) / 8, odd = double(v % 2);
+    for (const auto& [name, value] : {std::pair("quality", row), std::pair("s", row), std::pair("t", -row),
+                                      std::pair("nx", odd), std::pair("ny", 1 - odd), std::pair("nz", 0.0)})
+      beside[name].push_back(value);
+  }
+  write_ply(folder_ / "rich.ply", mesh, beside);
+  const HostRun run = run_script(host_, folder_ / "rich.ply", exporting({"quality=2"}), "");
+  ASSERT_EQ(run.status, 0) << run.log;
+  const PlyFile found = read_ply(folder_ / "export.ply");
+  for (const auto& [name, values] : beside)
+    EXPECT_EQ(found.property(name == "quality" ? "original_quality" : name), values) << name;
+  EXPECT_EQ(found.property("quality"), found.property("ii_kmax"));
 }
 
 std::string name_of(const testing::TestParamInfo<const char*>& info)
