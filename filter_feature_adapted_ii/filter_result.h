@@ -43,6 +43,7 @@ struct FilterResult {
   std::vector<Color> colors;
   std::vector<NamedValues> attributes;
   std::optional<LineLayer> lines;
+  std::string file;  ///< what export_file is to hold; empty: the mesh, or the lines, as PLY
 
   std::vector<std::string> log;                              ///< one line an entry
   std::vector<std::pair<std::string, SummaryValue>> values;  ///< the same for programs

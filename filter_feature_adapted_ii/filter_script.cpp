@@ -84,7 +84,7 @@ std::string type_attributes(const ParameterSpec& spec, const Request& request)
   std::string text;
   if (spec.kind == Kind::length)
     text = attribute("min", "0") + attribute("max", number_text(std::max(1.0, spec.get(request))));
-  if (spec.kind == Kind::save_file) text = attribute("ext", "*.ply");
+  if (spec.kind == Kind::save_file) text = attribute("ext", std::string("*") + spec.choices.front());
   if (spec.kind == Kind::choice) {
     text = attribute("enum_cardinality", std::to_string(spec.choices.size()));
     for (std::size_t i = 0; i < spec.choices.size(); ++i)

@@ -53,6 +53,22 @@ double parse_value(const ParameterSpec& spec, const std::string& text)
   return parse_number(text);
 }
 
+/// ".svg, .pdf or .dxf"
+std::string endings_text(const ParameterSpec& spec)
+{
+  std::string text = spec.choices.front();
+  for (std::size_t i = 1; i < spec.choices.size(); ++i)
+    text += std::string(i + 1 < spec.choices.size() ? ", " : " or ") + spec.choices[i];
+  return text;
+}
+
+bool has_permitted_ending(const ParameterSpec& spec, const std::string& name)
+{
+  return std::any_of(spec.choices.begin(), spec.choices.end(), [&](const std::string& end) {
+    return name.size() > end.size() && lower_case(name.substr(name.size() - end.size())) == end;
+  });
+}
+
 }  // namespace
 
 const ParameterSpec* find_parameter(const std::vector<ParameterSpec>& parameters, const std::string& name)
@@ -67,7 +83,7 @@ double default_value(const ParameterSpec& spec) { return spec.get ? spec.get(Req
 std::string range_text(const ParameterSpec& spec)
 {
   if (spec.kind == Kind::boolean) return "true or false";
-  if (spec.kind == Kind::save_file) return "the name of a file ending in .ply, or empty";
+  if (spec.kind == Kind::save_file) return "the name of a file ending in " + endings_text(spec) + ", or empty";
   if (spec.kind == Kind::length) return "a length of at least 0 in the unit of the mesh (0: automatic)";
   if (spec.kind == Kind::choice) {
     std::string text;
@@ -96,11 +112,10 @@ void require_permitted(const ParameterSpec& spec, const Request& request)
 
 void store_text(const ParameterSpec& spec, const std::string& text, Request& request)
 {
-  const bool is_ply = text.size() > 4 && lower_case(text.substr(text.size() - 4)) == ".ply";
   const bool has_control =
       std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   if (!is_utf8(text) || has_control) refuse(spec, "not UTF-8 without control characters");
-  if (!text.empty() && !is_ply) refuse(spec, "'" + text + "'");
+  if (!text.empty() && !has_permitted_ending(spec, text)) refuse(spec, "'" + text + "'");
   spec.set_text(request, text);
 }
 

@@ -20,7 +20,7 @@ struct ParameterSpec {
   const char* unit;                  ///< "" where it has none; "mesh" for lengths in the unit of the mesh
   double minimum, maximum;           ///< of the value; infinite where there is none
   bool above_minimum;                ///< the minimum itself is not permitted
-  std::vector<const char*> choices;  ///< of a choice, by index
+  std::vector<const char*> choices;  ///< of a choice, by index; of a save_file, the ends of names: ".ply"
   const char* label;                 ///< short, for the dialog
   const char* tip;                   ///< one or two sentences
   const char* source;                ///< where in the literature it comes from; "" where it is this project's

@@ -92,12 +92,13 @@ ParameterSpec choice(const char* name, std::vector<const char*> choices, const T
   return number<Member>(name, Kind::choice, "", range, std::move(choices), text);
 }
 
+/// `endings`: of the file's name, with their dot; the dialog offers the first.
 template <auto Member>
-ParameterSpec save_file(const char* name, const Text& text)
+ParameterSpec save_file(const char* name, const Text& text, std::vector<const char*> endings = {".ply"})
 {
   using Access = TextField<Member>;
-  return {name,    Kind::save_file, "",           0,    0, false, {}, text.label, text.tip, text.source, nullptr,
-          nullptr, &Access::get,    &Access::set, false};
+  return {name,    Kind::save_file, "",           0,    0, false, std::move(endings), text.label, text.tip, text.source,
+          nullptr, nullptr,         &Access::get, &Access::set, false};
 }
 
 inline std::vector<ParameterSpec> concatenate(std::vector<ParameterSpec> first, const std::vector<ParameterSpec>& more)

@@ -149,6 +149,17 @@ void require_writable(const std::string& path)
   }
 }
 
+std::string export_bytes(const std::string& bytes, const std::string& path)
+{
+  try {
+    WholeFile file(path);
+    file.write(bytes.data(), bytes.size());
+    return file.commit();
+  } catch (const FileError& error) {
+    refuse(path, error);
+  }
+}
+
 std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, const std::string& path)
 {
   std::vector<PlyElement> elements{vertex_element(mesh, contents), face_element(mesh, contents.extras)};

@@ -41,6 +41,9 @@ std::string export_ply(const TriangleMesh& mesh, const PlyContents& contents, co
 std::string export_ply(const TriangleMesh& mesh, const FilterResult& result, const std::string& path,
                        const MeshExtras& extras = {});
 
+/// Writes these bytes as they are. \return the absolute path. \throw InputError where the file cannot be written
+std::string export_bytes(const std::string& bytes, const std::string& path);
+
 /// \throw InputError unless a file can be made in the folder of `path`: tells the user before the long computation
 void require_writable(const std::string& path);
 

@@ -64,7 +64,7 @@ inline void add_parameter(const ParameterSpec& spec, double diagonal, RichParame
       add_rich<RichLength>(list, spec, name, Scalarm(value), Scalarm(0), Scalarm(diagonal), label, tip);
       break;
     case Kind::save_file:
-      add_rich<RichFile>(list, spec, name, "", "*.ply", label, tip);
+      add_rich<RichFile>(list, spec, name, "", (std::string("*") + spec.choices.front()).c_str(), label, tip);
       break;
     case Kind::choice: {
       QStringList choices;

@@ -86,7 +86,9 @@ inline FilterResult measure(const Filter& filter, const MeshModel& model, const 
   if (!file.empty()) require_writable(file);
   const TriangleMesh copy = vcg::tri::UpdateCurvatureIntegralInvariant<CMeshO>::CopyMesh(model.cm);
   FilterResult result = run_filter(filter, {copy, request}, progress);
-  const std::string exported = file.empty() ? "" : export_ply(copy, result, file, extras_of(model));
+  const std::string exported = file.empty()          ? ""
+                               : result.file.empty() ? export_ply(copy, result, file, extras_of(model))
+                                                     : export_bytes(result.file, file);
   if (!exported.empty()) result.log.push_back("Exported: " + exported);
   result.values.emplace_back("exported", exported);
   return result;

@@ -6,12 +6,14 @@
 IDLE_SECONDS=10 # of a reader, after which it is taken to wait for a click
 REFUSED=255 # meshlabserver's exit status where a filter or a reader did
 
-# run_filter MESH OUT.ply [PARAMETER=VALUE ...]: absolute paths. Prints the filter's summary on stdout and leaves the
-# script that was run in $work/filter.mlx.
+# run_filter MESH OUT [--filter NAME] [PARAMETER=VALUE ...]: absolute paths; without a name the filter that measures
+# curvature. OUT is what the filter writes to its export_file, whose kind it tells by the end of the name. Prints the
+# filter's summary on stdout and leaves the script that was run in $work/filter.mlx.
 run_filter() {
   local mesh=$1 named=$1 output=$2 status=0
   shift 2
   new_work_folder work "$(dirname -- "$output")" # beside the output, so that it appears complete or not at all
+  export=$work/export.${output##*.}
   write_script "$@"
   if [[ ${mesh,,} == *.obj ]]; then # MeshLab 2020.09 aborts on all that name their first vertex
     /usr/bin/python3 "$II_ROOT/scripts/lib/obj_to_ply.py" "$mesh" "$work/mesh.ply" 2>"$work/refusal" || die "$(tail -n 1 "$work/refusal")"
@@ -19,10 +21,10 @@ run_filter() {
   fi
   start_screen
   run_meshlabserver "$mesh" || status=$?
-  if ((status != 0)) || [[ ! -s $work/export.ply ]]; then die "$(failure_reason "$named" "$status")"; fi
+  if ((status != 0)) || [[ ! -s $export ]]; then die "$(failure_reason "$named" "$status")"; fi
   filter_log
   if [[ ${named,,} == *.ply && ${1:-} != --filter ]]; then keep_properties "$named"; fi # of others the mesh may be a layer of lines
-  mv -f -T -- "$work/export.ply" "$output" || die "cannot write $output."
+  mv -f -T -- "$export" "$output" || die "cannot write $output."
 }
 
 # keep_properties MESH.ply: the export becomes that file with the results added.
@@ -39,7 +41,7 @@ write_script() {
   for parameter in "$@"; do
     [[ $parameter != export_file=* ]] || die "the output is named by the second argument, not by export_file."
   done
-  "$WRITER" "$@" "export_file=$work/export.ply" >"$work/filter.mlx" 2>"$work/refusal" ||
+  "$WRITER" "$@" "export_file=$export" >"$work/filter.mlx" 2>"$work/refusal" ||
     die "$(sed 's/^write_filter_script: //' "$work/refusal")"
 }
 
@@ -77,7 +79,7 @@ filter_log() { sed -n '/^LOG: [0-9]* Exported: /d; s/^LOG: [0-9]* //p' "$work/me
 
 # failure_reason MESH STATUS: in words; where they may not be enough, MeshLab's own are kept beside the output.
 failure_reason() {
-  local mesh=$1 status=$2 log=${output%.ply}.log
+  local mesh=$1 status=$2 log=${output%.*}.log
   if [[ -e $work/window ]] || grep -q 'not possible to import mesh' "$work/log"; then
     echo "MeshLab cannot read the mesh $mesh. Is it damaged, or of another format than its name says? $READABLE"
     return

@@ -215,7 +215,7 @@ TEST(Sheet, RefusesWithASentence)
   SheetParameters p = with_scale(10);
   p.paper = Paper::a4;
   EXPECT_NE(sentence_of(box, p).find("At the scale 10 : 1 the drawing is"), std::string::npos);
-  EXPECT_NE(sentence_of(box, with_scale(-1)).find("'scale'"), std::string::npos);
+  EXPECT_NE(sentence_of(box, with_scale(-1)).find("'sheet_scale'"), std::string::npos);
   EXPECT_NE(sentence_of(box, with_scale(1e4)).find("more than 5 m"), std::string::npos);
   p = {};
   p.inner_width = 0;

@@ -42,7 +42,9 @@ void require(bool holds, const std::string& sentence)
   if (!holds) throw ParameterError(sentence);
 }
 
-void check(const LineDrawingParameters& p)
+}  // namespace
+
+void require_drawable(const LineDrawingParameters& p)
 {
   require(p.contours || p.boundaries || p.creases || p.suggestive_contours || p.suggestive_highlights ||
               p.apparent_ridges || p.ridges || p.valleys || p.demarcating_curves || p.hatching || p.sections > 0,
@@ -57,6 +59,8 @@ void check(const LineDrawingParameters& p)
   require(p.hatching_spacing >= 0 && std::isfinite(p.hatching_spacing),
           "The parameter 'hatching_spacing' must not be negative.");
 }
+
+namespace {
 
 /// The pieces of the line that are all visible or all hidden; a change lies halfway between two points.
 void cut_by_visibility(const SurfaceLine& line, const std::vector<char>& visible, HiddenLines hidden,
@@ -95,7 +99,7 @@ LineDrawing::LineDrawing(const Surface& surface, const Topology& topology, const
                          double noise, const LineDrawingParameters& parameters, Execution& execution)
     : surface_(surface), topology_(topology), field_(field), parameters_(parameters)
 {
-  check(parameters);
+  require_drawable(parameters);
   selection_.significance = parameters.significance;
   selection_.minimum_length = parameters.minimum_length > 0 ? parameters.minimum_length / surface.unit() : usual_length;
   find_edges(noise, execution);

@@ -28,6 +28,9 @@ struct LineDrawingParameters {
   HiddenLines hidden = HiddenLines::dropped;
 };
 
+/// \throw ParameterError where a parameter is out of its range or nothing is asked for
+void require_drawable(const LineDrawingParameters& parameters);
+
 /// A line of one view: all of it is seen, or nothing.
 struct ViewLine {
   SurfaceLine line;
@@ -39,7 +42,7 @@ struct ViewLine {
 class LineDrawing {
  public:
   /// `noise` (ē): standard deviation along the normal, for the creases. The arguments must outlive this.
-  /// \throw ParameterError where a parameter is out of its range or nothing is asked for; Cancelled
+  /// \throw what require_drawable() throws; Cancelled
   LineDrawing(const Surface& surface, const Topology& topology, const DifferentiatedField& field, double noise,
               const LineDrawingParameters& parameters, Execution& execution);
 

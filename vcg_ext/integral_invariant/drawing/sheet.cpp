@@ -223,7 +223,7 @@ void add_lines(const DrawnView& drawn, const Cell& cell, const PaperPoint& corne
 
 void check(const std::vector<DrawnView>& views, const SheetParameters& p)
 {
-  require(p.scale >= 0 && p.scale <= largest_scale, "The parameter 'scale' must be from 0 to 1000000.");
+  require(p.scale >= 0 && p.scale <= largest_scale, "The parameter 'sheet_scale' must be from 0 to 1000000.");
   require(p.outline_width > 0 && p.outline_width <= margin && p.inner_width > 0 && p.inner_width <= margin,
           "Line widths must be above 0 and at most 10 mm.");
   const bool is_empty = std::all_of(views.begin(), views.end(), [](const DrawnView& v) { return v.lines.empty(); });
@@ -255,10 +255,10 @@ Sheet make_sheet(const std::vector<DrawnView>& views, const std::vector<Vec3>& p
   require(has_room(size, used),
           "At the scale " + scale_text(sheet.scale) + " the drawing is " + size_text(used) +
               ", more than the paper's " + size_text(size) +
-              ". Choose a smaller 'scale' (0: automatic), larger paper or paper fitted to the drawing.");
+              ". Choose a smaller 'sheet_scale' (0: automatic), larger paper or paper fitted to the drawing.");
   require(size.width <= largest_sheet && size.height <= largest_sheet,
           "At the scale " + scale_text(sheet.scale) + " the drawing is " + size_text(used) +
-              ", more than 5 m. Choose a smaller 'scale' (0: automatic) or another 'unit' of the mesh.");
+              ", more than 5 m. Choose a smaller 'sheet_scale' (0: automatic) or another 'mesh_unit'.");
   sheet.width = size.width;
   sheet.height = size.height;
   for (std::size_t v = 0; v < views.size(); ++v) {
