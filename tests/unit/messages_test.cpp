@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "filter_script.h"
+#include "integral_invariant/drawing/sheet.h"
 #include "integral_invariant/features/crest_lines.h"
 #include "integral_invariant/features/curvature_lines.h"
 #include "integral_invariant/features/ridges_valleys.h"
@@ -173,6 +174,46 @@ TriangleMesh needle()
   return mesh;
 }
 
+Action lines(const std::function<void(LineDrawingParameters&)>& change)
+{
+  return [=] {
+    LineDrawingParameters p;
+    change(p);
+    require_drawable(p);
+  };
+}
+
+/// A sheet of a line of 100 mm, or of none.
+Action sheet(const std::function<void(SheetParameters&)>& change, bool is_empty = false)
+{
+  return [=] {
+    SheetParameters p;
+    change(p);
+    const std::vector<Vec3> ends{{0, 0, 0}, {100, 0, 0}};
+    const SurfaceLine line{LineKind::contour, {{ends[0], {0, 0, 1}}, {ends[1], {0, 0, 1}}}, false};
+    const DrawnView empty{side_view(Side::front), {}}, drawn{side_view(Side::front), {{line, true}}};
+    make_sheet({is_empty ? empty : drawn}, ends, 1, 3, p);
+  };
+}
+
+std::vector<Action> about_line_drawings()
+{
+  return {lines([](auto& p) { p.contours = p.boundaries = p.creases = p.suggestive_contours = false; }),
+          [] { make_view("v", {0, 0, 0}, {0, 1, 0}); },
+          [] { make_view("v", {0, 1, 0}, {0, 2, 0}); },
+          [] { side_view(Side(side_count)); },
+          lines([](auto& p) { p.sections = -1; }),
+          lines([](auto& p) { p.significance = -1; }),
+          lines([](auto& p) { p.minimum_length = -1; }),
+          lines([](auto& p) { p.crease_angle = 0; }),
+          lines([](auto& p) { p.hatching_spacing = -1; }),
+          sheet([](auto&) {}, true),
+          sheet([](auto& p) { p.scale = 10, p.paper = Paper::a4; }),
+          sheet([](auto& p) { p.scale = 100; }),
+          sheet([](auto& p) { p.scale = -1; }),
+          sheet([](auto& p) { p.inner_width = 0; })};
+}
+
 std::vector<Action> about_memory()
 {
   const TriangleMesh sphere = icosphere(6);
@@ -243,6 +284,7 @@ void expect_all(const std::string& section, const std::vector<Action>& actions)
 
 TEST(Messages, AboutTheMeshAreListed) { expect_all("The filters: the mesh", about_the_mesh()); }
 TEST(Messages, AboutParametersAreListed) { expect_all("The filters: parameters", about_parameters()); }
+TEST(Messages, AboutLineDrawingsAreListed) { expect_all("The filters: line drawings", about_line_drawings()); }
 TEST(Messages, AboutMemoryAreListed) { expect_all("The filters: memory", about_memory()); }
 TEST(Messages, AboutTheFileAreListed) { expect_all("The filters: the file that they write", about_files()); }
 TEST(Messages, OfTheScriptWriterAreListed) { expect_all("write_filter_script", about_scripts()); }
