@@ -180,6 +180,7 @@ class Classic {
     for (auto* directions : {&k.dir_max, &k.dir_min, &k.normal}) directions->resize(n);
     field.error.assign(n, 0);
     field.derivative_error.assign(n, 1);
+    field.derivative_noise.assign(n, 1);
     field.correlation.assign(n, 1);
     field.width.assign(n, 1);
   }

@@ -132,7 +132,8 @@ class Differentiator {
     const FitError error = fit_error(2, correlation, fit_variance);
     out_.correlation[v] = correlation;
     out_.error[v] = std::hypot(sigma * error.value, value_of_misfit * misfit);
-    out_.derivative_error[v] = std::hypot(sigma * error.slope, slope_of_misfit * misfit / out_.width[v]);
+    out_.derivative_noise[v] = sigma * error.slope;
+    out_.derivative_error[v] = std::hypot(out_.derivative_noise[v], slope_of_misfit * misfit / out_.width[v]);
   }
 
   void take_tensor(std::int32_t v, const TangentFrame& frame, const Fits& fits) const
@@ -195,7 +196,7 @@ void resize(DifferentiatedField& field, const MeasuredField& like, Execution& ex
   const std::size_t n = like.curvature.size();
   field.curvature = like.curvature;
   execution.check();
-  for (auto* values : {&field.error, &field.derivative_error, &field.correlation, &field.width})
+  for (auto* values : {&field.error, &field.derivative_error, &field.derivative_noise, &field.correlation, &field.width})
     resize_in_steps(*values, n, execution);
   resize_in_steps(field.derivative, n, execution);
   resize_in_steps(field.position, n, execution);

@@ -35,6 +35,7 @@ struct DifferentiatedField {
   std::vector<double> error;                    ///< 1/ē; standard error of either curvature
   std::vector<CurvatureDerivative> derivative;  ///< 1/ē²
   std::vector<double> derivative_error;         ///< 1/ē²; standard error of C(t, t, t) for a unit vector t
+  std::vector<double> derivative_noise;         ///< 1/ē²; the part of it that noise makes, without bias
   std::vector<double> correlation;              ///< ē; over which errors of the curvature are alike
   std::vector<double> width;                    ///< ē; standard deviation of the weights of the local fits
   std::vector<Vec3> position;                   ///< ē; of the fitted surface: that of the mesh less its noise

@@ -35,7 +35,7 @@ RadialCurvature radial_curvature(const DifferentiatedField& field, std::size_t v
   const double torsion = (k.kappa_min[v] - k.kappa_max[v]) * x * y / r.squared_sine;
   r.derivative = cubic_form(field.derivative[v], x, y) / r.squared_sine - 2 * r.cosine * torsion * torsion;
   r.derivative_error =
-      std::hypot(std::sqrt(r.squared_sine) * field.derivative_error[v], 4 * r.cosine * torsion * field.error[v]);
+      std::hypot(std::sqrt(r.squared_sine) * field.derivative_noise[v], 4 * r.cosine * torsion * field.error[v]);
   return r;
 }
 

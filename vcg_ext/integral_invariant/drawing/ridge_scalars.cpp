@@ -41,8 +41,8 @@ double slope_along(std::int32_t v, const Surface& surface, const DifferentiatedF
   for (const std::int32_t q : walk.around(v, reach_over_width * width)) {
     const auto place = tangential_place(surface.positions()[v], surface.positions()[q], frame);
     const double cosine = dot(rotate_to(s.direction[q], field.curvature.normal[q], n), frame.u);
-    const double trust = field.derivative_error[q] > 0
-                             ? std::min(1.0, std::pow(field.derivative_error[v] / field.derivative_error[q], 2))
+    const double trust = field.derivative_noise[q] > 0
+                             ? std::min(1.0, std::pow(field.derivative_noise[v] / field.derivative_noise[q], 2))
                              : 1;
     const double weight = std::exp(-(place[0] * place[0] + place[1] * place[1]) / (2 * width * width)) * trust;
     fit.add(place, weight, {cosine < 0 ? -s.value[q] : s.value[q]});
@@ -105,7 +105,7 @@ LineScalar ridge_scalar(const Surface& surface, const DifferentiatedField& field
     s.strength[v] = kappa;
     s.significance[v] = ratio(kappa, field.error[v]);
   });
-  limit_by_second_derivative(surface, field, field.derivative_error, s, execution);
+  limit_by_second_derivative(surface, field, field.derivative_noise, s, execution);
   return s;
 }
 
@@ -140,7 +140,7 @@ LineScalar apparent_ridge_scalar(const Surface& surface, const DifferentiatedFie
     s.strength[v] = apparent.q1;
     // What stretches the tensor stretches its error, at most by secθ.
     s.significance[v] = ratio(apparent.q1 * r.cosine, field.error[v]);
-    error[v] = field.derivative_error[v] / r.cosine;
+    error[v] = field.derivative_noise[v] / r.cosine;
   });
   limit_by_second_derivative(surface, field, error, s, execution);
   return s;
@@ -176,7 +176,7 @@ LineScalar demarcating_scalar(const DifferentiatedField& field, Execution& execu
     s.direction[v] = k.dir_max[v] * x + k.dir_min[v] * y;
     s.value[v] = k.kappa_max[v] * x * x + k.kappa_min[v] * y * y;
     s.strength[v] = cubic_form(field.derivative[v], x, y);
-    const double z = ratio(s.strength[v], field.derivative_error[v]);
+    const double z = ratio(s.strength[v], field.derivative_noise[v]);
     s.significance[v] = std::sqrt(std::max(0.0, z * z - square_of_choice));
   });
   return s;

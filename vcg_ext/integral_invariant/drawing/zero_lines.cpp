@@ -13,7 +13,7 @@ namespace integral_invariant {
 
 namespace {
 
-constexpr double low_over_high = 0.5;  // of the hysteresis
+constexpr double low_over_high = 0.25;  // of the hysteresis
 constexpr double least_cosine = 0.5;   // 60 degrees between the directions at the ends of an edge
 
 class ZeroFinder {
@@ -91,15 +91,28 @@ class ZeroFinder {
   const LineScalar& scalar_;
 };
 
+/// Whether a piece of that length (the whole line, where it is shorter) is significant on average.
+bool has_significant_piece(const SurfaceLine& line, double length, double significance)
+{
+  double piece = 0, sum = 0;
+  std::size_t first = 0;
+  const auto add = [&](std::size_t i, double sign) {
+    const double ds = line.length_of(i);
+    piece += sign * ds;
+    sum += sign * ds * (line.points[i].significance + line.end_of(i).significance) / 2;
+  };
+  for (std::size_t i = 0; i < line.segment_count(); ++i) {
+    add(i, 1);
+    while (first < i && piece - line.length_of(first) >= length) add(first++, -1);
+    if (piece >= length && sum >= significance * piece) return true;
+  }
+  return false;
+}
+
 bool is_wanted(const SurfaceLine& line, const LineSelection& selection)
 {
-  double length = 0, sum = 0;
-  for (std::size_t i = 0; i < line.segment_count(); ++i) {
-    const double ds = line.length_of(i);
-    length += ds;
-    sum += ds * (line.points[i].significance + line.end_of(i).significance) / 2;
-  }
-  return length >= selection.minimum_length && sum >= selection.significance * length;
+  return line.length() >= selection.minimum_length &&
+         has_significant_piece(line, selection.minimum_length, selection.significance);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace integral_invariant {
 
 /// Which parts of lines are kept.
 struct LineSelection {
-  double significance = 3;    ///< z that a line has on average along its length
+  double significance = 3;    ///< z that a line has on average over its best piece of the minimum length
   double minimum_length = 5;  ///< ē
 };
 
@@ -19,9 +19,9 @@ struct LineSelection {
 inline constexpr double largest_significance = 1e4;
 
 /// The zeros of `scalar`, linear on each side of a triangle: both triangles of a side see the same zero, so that lines
-/// are connected by construction. Kept are the stretches with at least half of the wanted significance (interrupted by
-/// at most three segments) that have all of it on average; a stretch of noise passes half of it in places, but not
-/// twice that on average. Points stand on the fitted surface. Cost: O(m). \throw Cancelled
+/// are connected by construction. Kept are the stretches
+/// with at least a quarter of the wanted significance (interrupted by at most three segments) that have all of it, on
+/// average, over a piece of the minimum length: so lines are drawn to where they fade. Points stand on the fitted surface. Cost: O(m). \throw Cancelled
 std::vector<SurfaceLine> zero_lines(const Surface& surface, const Topology& topology, const DifferentiatedField& field,
                                     const LineScalar& scalar, const LineSelection& selection, Execution& execution);
 
