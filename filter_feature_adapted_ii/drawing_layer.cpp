@@ -15,10 +15,13 @@ Color color_of(const ViewLine& line)
   if (!line.visible) return hidden_ink;
   switch (line.line.kind) {
     case LineKind::ridge:
-    case LineKind::apparent_ridge: return first_color;
+    case LineKind::apparent_ridge:
+      return first_color;
     case LineKind::valley:
-    case LineKind::demarcating_curve: return second_color;
-    default: return ink;
+    case LineKind::demarcating_curve:
+      return second_color;
+    default:
+      return ink;
   }
 }
 
@@ -62,8 +65,8 @@ class DrawingBuilder {
     layer_.normals.push_back(p.normal);
     layer_.quality.push_back(p.significance);
     if (style_.colorize) layer_.colors.push_back(color_of(line));
-    const double values[] = {double(count_), double(int(line.line.kind)), p.significance, p.strength,
-                             line.visible ? 1.0 : 0.0, double(view)};
+    const double values[] = {double(count_), double(int(line.line.kind)), p.significance,
+                             p.strength,     line.visible ? 1.0 : 0.0,    double(view)};
     for (std::size_t i = 0; i < std::size(values); ++i) layer_.attributes[i].values.push_back(float(values[i]));
   }
 

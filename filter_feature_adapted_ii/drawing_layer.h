@@ -11,9 +11,10 @@
 
 namespace integral_invariant::filter {
 
-/// The lines of all views. Attributes of the vertices: ii_line (number of the line), ii_kind (LineKind as a number), ii_z
-/// (significance, the quality too), ii_strength, ii_visible (1 or 0), ii_view (number of the view). `mesh` is the one that
-/// `surface` was made of. Outlines are dark, other lines have the colours of ridges and valleys where they are these.
+/// The lines of all views. Attributes of the vertices: ii_line (number of the line), ii_kind (LineKind as a number),
+/// ii_z (significance, the quality too), ii_strength, ii_visible (1 or 0), ii_view (number of the view). `mesh` is the
+/// one that `surface` was made of. Outlines are dark, other lines have the colours of ridges and valleys where they are
+/// these.
 LineLayer drawing_layer(const TriangleMesh& mesh, const Surface& surface, const std::vector<DrawnView>& views,
                         const LineStyle& style);
 

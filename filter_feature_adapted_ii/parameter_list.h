@@ -97,8 +97,9 @@ template <auto Member>
 ParameterSpec save_file(const char* name, const Text& text, std::vector<const char*> endings = {".ply"})
 {
   using Access = TextField<Member>;
-  return {name,    Kind::save_file, "",           0,    0, false, std::move(endings), text.label, text.tip, text.source,
-          nullptr, nullptr,         &Access::get, &Access::set, false};
+  return {name,       Kind::save_file, "",          0,       0,       false,        std::move(endings),
+          text.label, text.tip,        text.source, nullptr, nullptr, &Access::get, &Access::set,
+          false};
 }
 
 inline std::vector<ParameterSpec> concatenate(std::vector<ParameterSpec> first, const std::vector<ParameterSpec>& more)

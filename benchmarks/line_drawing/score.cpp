@@ -90,7 +90,7 @@ Score score(const std::vector<ExactSegment>& exact, const std::vector<ExactSegme
   s.exact = e.total;
   s.precision = share_near(d, e, tolerance);
   s.recall = share_near(e, d, tolerance);
-  s.length_ratio = e.total > 0 ? d.total / e.total : 0;
+  s.length_ratio = e.total > 0 ? d.total / e.total : d.total > 0 ? HUGE_VAL : 1;  // none where none is to be
   return s;
 }
 

@@ -27,7 +27,8 @@ struct ViewOptions {
 
 using V = ViewOptions;
 
-constexpr const char* help = R"(Makes a <b>line drawing</b> of the surface: outlines, edges, and the lines at which shading
+constexpr const char* help =
+    R"(Makes a <b>line drawing</b> of the surface: outlines, edges, and the lines at which shading
 would change (suggestive contours, ridges and others), from the curvatures of <i>Compute Curvature by Integral Invariants per
 Vertex</i>. A line is drawn where it is significant: its <b>z</b> says how many standard errors what makes it a line is away
 from none, so that noise draws nothing and no threshold depends on the model.<br/>
@@ -39,10 +40,11 @@ std::vector<ParameterSpec> view_parameters()
 {
   const Range any{-1e6, 1e6};  // of a vector whose length does not matter
   return {
-      choice<&V::view>("view",
-                       {"Front", "Back", "Left", "Right", "Top", "Bottom", "Front, right side and top", "All six sides",
-                        "Direction below"},
-                       {"Views", "The sides are those of MeshLab's View menu: the front is seen along -z with y upwards."}),
+      choice<&V::view>(
+          "view",
+          {"Front", "Back", "Left", "Right", "Top", "Bottom", "Front, right side and top", "All six sides",
+           "Direction below"},
+          {"Views", "The sides are those of MeshLab's View menu: the front is seen along -z with y upwards."}),
       real<&V::toward_x>("toward_x", "", any,
                          {"Direction to the viewer, x", "Of a view of your own: from the model to the viewer."}),
       real<&V::toward_y>("toward_y", "", any, {"Direction to the viewer, y", "See x."}),
@@ -75,7 +77,8 @@ std::vector<ParameterSpec> kind_parameters()
       boolean<&D::hatching>("hatching", {"Hatching", "Lines of curvature in the shade; light from the upper left."}),
       integer<&D::sections>("sections", "", {0, 1000},
                             {"Sections", "Number of parallel planes through the model whose cuts are drawn."}),
-      choice<&D::section_axis>("section_axis", {"x", "y", "z"}, {"Axis of the sections", "The planes stand across it."}),
+      choice<&D::section_axis>("section_axis", {"x", "y", "z"},
+                               {"Axis of the sections", "The planes stand across it."}),
   };
 }
 
@@ -88,8 +91,7 @@ std::vector<ParameterSpec> line_parameters()
                                  {"Least length", "Shorter lines are dropped. 0: five average edge lengths."}),
       real<&D::crease_angle>("crease_angle", "degrees", {0, 180, true},
                              {"Least angle of creases", "Between the normals of the two triangles of an edge."}),
-      length<&D::hatching_spacing>("hatching_spacing",
-                                   {"Spacing of the hatching", "0: four average edge lengths."}),
+      length<&D::hatching_spacing>("hatching_spacing", {"Spacing of the hatching", "0: four average edge lengths."}),
       choice<&D::hidden>("hidden_lines", {"Not drawn", "Dashed"},
                          {"Hidden lines", "Dashed ones stand on a layer of their own for each view."}),
   };
@@ -101,13 +103,15 @@ std::vector<ParameterSpec> sheet_parameters()
       choice<&S::unit>("mesh_unit", {"Millimetre", "Centimetre", "Metre", "Inch"},
                        {"Unit of the mesh", "What 1 in the mesh's coordinates is, for the scale of the sheet."}),
       real<&S::scale>("sheet_scale", "", {0, 1e6},
-                      {"Scale", "Length on paper over true length: 1 for 1:1, 0.5 for 1:2. 0: the largest round one that "
-                                "the paper has room for."}),
+                      {"Scale",
+                       "Length on paper over true length: 1 for 1:1, 0.5 for 1:2. 0: the largest round one that "
+                       "the paper has room for."}),
       choice<&S::paper>("paper", {"Fitted to the drawing", "A4", "A3"}, {"Paper", "Of the sheet."}),
       real<&S::outline_width>("outline_width", "mm", {0, 10, true}, {"Width of outlines", "Contours and boundaries."}),
       real<&S::inner_width>("inner_width", "mm", {0, 10, true},
                             {"Width of other lines", "Those of little significance are down to 0.6 of it."}),
-      boolean<&OutputOptions::colorize>("colorize", {"Colour the layer", "Ridges red, valleys blue, other lines dark."}),
+      boolean<&OutputOptions::colorize>("colorize",
+                                        {"Colour the layer", "Ridges red, valleys blue, other lines dark."}),
       line_lift_parameter(),
       save_file<&OutputOptions::export_file>(
           "export_file", {"Export", "The sheet as .svg, .pdf or .dxf; the edges in space as .ply. Empty: no file."},
@@ -127,11 +131,13 @@ std::vector<View> views_of(const ViewOptions& options)
 {
   if (options.view < side_count) return {side_view(Side(options.view))};
   switch (ViewChoice(options.view)) {
-    case ViewChoice::three_sides: return {side_view(Side::front), side_view(Side::right), side_view(Side::top)};
+    case ViewChoice::three_sides:
+      return {side_view(Side::front), side_view(Side::right), side_view(Side::top)};
     case ViewChoice::direction:
       return {make_view("view", {options.toward_x, options.toward_y, options.toward_z},
                         {options.up_x, options.up_y, options.up_z})};
-    case ViewChoice::six_sides: break;
+    case ViewChoice::six_sides:
+      break;
   }
   std::vector<View> all;
   for (int side = 0; side < side_count; ++side) all.push_back(side_view(Side(side)));

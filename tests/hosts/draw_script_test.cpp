@@ -63,7 +63,8 @@ TEST_F(DrawScript, SaysWhatIsWrong)
   expect_refused({"ring.ply", "nowhere/ring.svg"}, "there is no folder nowhere to write nowhere/ring.svg into.");
   expect_refused({"--colour", "ring.ply"}, "unknown option --colour. scripts/draw --help tells what there is.");
   expect_refused({"ring.ply", "sheet_scale=-1"}, "'sheet_scale'");
-  expect_refused({"ring.ply", "significance=1e5", "contours=false"}, "The drawing is empty: no line was found in any view.");
+  expect_refused({"ring.ply", "significance=1e5", "contours=false"},
+                 "The drawing is empty: no line was found in any view.");
   EXPECT_FALSE(fs::exists(folder_ / "ring_drawing.svg"));
 }
 

@@ -199,8 +199,12 @@ Action sheet(const std::function<void(SheetParameters&)>& change, bool is_empty 
 std::vector<Action> about_line_drawings()
 {
   return {lines([](auto& p) { p.contours = p.boundaries = p.creases = p.suggestive_contours = false; }),
-          [] { make_view("v", {0, 0, 0}, {0, 1, 0}); },
-          [] { make_view("v", {0, 1, 0}, {0, 2, 0}); },
+          [] {
+            make_view("v", {0, 0, 0}, {0, 1, 0});
+          },
+          [] {
+            make_view("v", {0, 1, 0}, {0, 2, 0});
+          },
           [] { side_view(Side(side_count)); },
           lines([](auto& p) { p.sections = -1; }),
           lines([](auto& p) { p.significance = -1; }),

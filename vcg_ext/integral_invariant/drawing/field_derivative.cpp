@@ -126,9 +126,9 @@ class Differentiator {
     const double least_correlation = std::sqrt(areas_[v] / (2 * pi));
     const double correlation = std::max(correlation_over_radius * in_.radius[v], least_correlation);
     const double radius = std::max(in_.radius[v], 1.0);
-    if (!(variance > 0)) variance = residual;
-    const double sigma = std::hypot(std::sqrt(variance), rounding / (radius * radius));
-    const double misfit = std::sqrt(std::max(residual - certain_misfit * variance, 0.0));
+    const double misfit = variance > 0 ? std::sqrt(std::max(residual - certain_misfit * variance, 0.0)) : 0;
+    // More than the field knows of: noise of a kind that its estimate does not see, such as noise over many vertices.
+    const double sigma = std::hypot(std::sqrt(std::max(variance, residual)), rounding / (radius * radius));
     const FitError error = fit_error(2, correlation, fit_variance);
     out_.correlation[v] = correlation;
     out_.error[v] = std::hypot(sigma * error.value, value_of_misfit * misfit);
@@ -196,7 +196,8 @@ void resize(DifferentiatedField& field, const MeasuredField& like, Execution& ex
   const std::size_t n = like.curvature.size();
   field.curvature = like.curvature;
   execution.check();
-  for (auto* values : {&field.error, &field.derivative_error, &field.derivative_noise, &field.correlation, &field.width})
+  for (auto* values :
+       {&field.error, &field.derivative_error, &field.derivative_noise, &field.correlation, &field.width})
     resize_in_steps(*values, n, execution);
   resize_in_steps(field.derivative, n, execution);
   resize_in_steps(field.position, n, execution);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace integral_invariant {
 
@@ -17,6 +16,8 @@ LineScalar empty_scalar(LineKind kind, std::size_t n, Execution& execution)
   for (auto* values : {&s.value, &s.significance, &s.strength}) resize_in_steps(*values, n, execution);
   return s;
 }
+
+constexpr double certain_error = 2;  // standard errors, from which on a curvature has a sign
 
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
@@ -43,13 +44,11 @@ LineScalar contour_scalar(const DifferentiatedField& field, const View& view, Ex
 {
   LineScalar s = empty_scalar(LineKind::contour, field.size(), execution);
   for_each_index(field.size(), execution, [&](std::size_t v) {
-    const CurvatureField& k = field.curvature;
     const RadialCurvature r = radial_curvature(field, v, view.toward);
     s.value[v] = r.cosine;
-    s.strength[v] = ratio(r.scaled, r.squared_sine);
-    const double slope =
-        std::hypot(k.kappa_max[v] * dot(view.toward, k.dir_max[v]), k.kappa_min[v] * dot(view.toward, k.dir_min[v]));
-    s.significance[v] = ratio(slope, field.error[v]);
+    const double radial = ratio(r.scaled, r.squared_sine);
+    s.strength[v] = radial < -certain_error * field.error[v] ? radial : std::max(radial, 0.0);
+    s.significance[v] = largest_significance;
   });
   return s;
 }
@@ -62,8 +61,9 @@ LineScalar suggestive_scalar(const DifferentiatedField& field, const View& view,
     const RadialCurvature r = radial_curvature(field, v, view.toward);
     s.value[v] = r.scaled;
     if (!(r.cosine > 0)) return;
-    s.significance[v] = sign * ratio(r.derivative, r.derivative_error);
     s.strength[v] = sign * ratio(r.derivative, std::sqrt(r.squared_sine));
+    s.significance[v] = std::min(sign * ratio(r.derivative, r.derivative_error),
+                                 ratio(2 * s.strength[v] * field.width[v], field.error[v]));
   });
   return s;
 }
@@ -73,7 +73,7 @@ LineScalar section_scalar(const DifferentiatedField& field, const Vec3& normal, 
   LineScalar s = empty_scalar(LineKind::section, field.size(), execution);
   for_each_index(field.size(), execution, [&](std::size_t v) {
     s.value[v] = dot(field.position[v], normal) - offset;
-    s.significance[v] = std::numeric_limits<double>::max();
+    s.significance[v] = largest_significance;
   });
   return s;
 }

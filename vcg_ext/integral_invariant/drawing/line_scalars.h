@@ -24,12 +24,15 @@ struct LineScalar {
   bool is_derivative = false;
 };
 
-/// Occluding contours: n·v = 0. z: |∇(n·v)| over its standard error. Strength: the radial curvature κ_r, negative
-/// where the surface itself hides the contour.
+/// Occluding contours: n·v = 0. All are significant: what noise adds on a flat face that is seen from its edge lies on
+/// the face's line in the picture. Strength: the radial curvature κ_r, negative where the surface itself hides the
+/// contour for certain.
 LineScalar contour_scalar(const DifferentiatedField& field, const View& view, Execution& execution);
 
 /// Suggestive contours (DeCarlo et al. 2003): κ_r = 0 on the front, D_w κ_r > 0; as highlights (DeCarlo and
-/// Rusinkiewicz 2007), D_w κ_r < 0. z: sinθ · |D_w κ_r| over its standard error. Strength: |D_w κ_r|.
+/// Rusinkiewicz 2007), D_w κ_r < 0. z: sinθ · |D_w κ_r| over its standard error, and no more than the change of κ_r
+/// from one width of the fits before to one after, over the error of the curvature: on flat parts noise has zeros
+/// everywhere. Strength: |D_w κ_r|.
 LineScalar suggestive_scalar(const DifferentiatedField& field, const View& view, LineKind kind, Execution& execution);
 
 /// The plane dot(p, normal) = offset, in normalised units, cut with the fitted surface.

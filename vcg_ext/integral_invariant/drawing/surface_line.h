@@ -27,6 +27,9 @@ inline constexpr int line_kind_count = 11;
 const char* kind_title(LineKind kind);
 const char* kind_name(LineKind kind);
 
+/// The largest significance that is told apart: what has no error has this much.
+inline constexpr double largest_significance = 1e4;
+
 struct LinePoint {
   Vec3 position;            ///< ē
   Vec3 normal;              ///< unit, outward

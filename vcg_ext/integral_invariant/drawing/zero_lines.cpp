@@ -14,7 +14,7 @@ namespace integral_invariant {
 namespace {
 
 constexpr double low_over_high = 0.25;  // of the hysteresis
-constexpr double least_cosine = 0.5;   // 60 degrees between the directions at the ends of an edge
+constexpr double least_cosine = 0.5;    // 60 degrees between the directions at the ends of an edge
 
 class ZeroFinder {
  public:

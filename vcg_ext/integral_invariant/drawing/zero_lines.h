@@ -15,13 +15,11 @@ struct LineSelection {
   double minimum_length = 5;  ///< ē
 };
 
-/// The largest significance that is told apart: what has no error has this much.
-inline constexpr double largest_significance = 1e4;
-
 /// The zeros of `scalar`, linear on each side of a triangle: both triangles of a side see the same zero, so that lines
 /// are connected by construction. Kept are the stretches
 /// with at least a quarter of the wanted significance (interrupted by at most three segments) that have all of it, on
-/// average, over a piece of the minimum length: so lines are drawn to where they fade. Points stand on the fitted surface. Cost: O(m). \throw Cancelled
+/// average, over a piece of the minimum length: so lines are drawn to where they fade. Points stand on the fitted
+/// surface. Cost: O(m). \throw Cancelled
 std::vector<SurfaceLine> zero_lines(const Surface& surface, const Topology& topology, const DifferentiatedField& field,
                                     const LineScalar& scalar, const LineSelection& selection, Execution& execution);
 
