@@ -19,6 +19,7 @@
 #include "integral_invariant/moments/scales.h"
 #include "integral_invariant/multiscale/correlated_noise.h"
 #include "integral_invariant/multiscale/estimator.h"
+#include "integral_invariant/multiscale/outliers.h"
 #include "integral_invariant/published/radius_iteration.h"
 #include "integral_invariant/published/radius_smoothing.h"
 #include "integral_invariant/support/memory.h"
@@ -138,8 +139,7 @@ void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32
   const std::vector<Jet> fits = fit_jets(surface, field.tensors, execution);
   NoiseLevel noise =
       estimate_noise_level(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
-  if (!(p.noise > 0))
-    add_correlated_noise(find_correlated_noise(surface, field.tensors, noise, execution), noise, execution);
+  if (!(p.noise > 0)) add_correlated_noise(find_correlated_noise(surface, field.tensors, execution), noise, execution);
   result.noise_correlation = noise.transfer.correlation() * surface.unit();
 
   execution.begin_stage("weighing the scales", 99);
@@ -184,6 +184,22 @@ void describe_run(const Surface& surface, const std::vector<double>& scales, con
   result.stages = execution.stage_times();
 }
 
+/// Vertices that stand out of the surface alone go back to it, and the surface is taken anew; again, while there are
+/// some, because two that stand side by side hide each other. Returns how many.
+std::size_t set_back_outliers(TriangleMesh& mesh, Surface& surface, Execution& execution)
+{
+  constexpr int most_rounds = 3;
+  std::size_t count = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::vector<Outlier> outliers = find_outliers(surface, execution);
+    if (outliers.empty()) break;
+    for (const Outlier& outlier : outliers)
+      mesh.positions[outlier.vertex] += (outlier.place - surface.positions()[outlier.vertex]) * surface.unit();
+    surface = Surface(mesh, execution);
+  }
+  return count;
+}
+
 /// What the arrays of a run take, over and above the engine's own.
 void require_memory_for_arrays(std::size_t vertices, std::size_t scales, std::size_t limit_mb)
 {
@@ -206,7 +222,9 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   execution.begin_stage("checking the surface", 4);
   CanonicalMesh canonical = make_canonical_mesh(mesh, execution);
   execution.report(0.5);
-  const Surface surface(canonical.mesh, execution);
+  Surface surface(canonical.mesh, execution);
+  if (parameters.radius_choice == RadiusChoice::statistical && parameters.estimator != Estimator::yang06)
+    result.outliers = set_back_outliers(canonical.mesh, surface, execution);
   canonical.mesh = {};  // the surface has its own
   const std::vector<std::uint32_t>& original_index = canonical.original_index;
   const std::vector<double> scales = scale_radii(parameters, surface.unit());

@@ -26,6 +26,7 @@ struct Result {
   std::vector<double> scales;             ///< radii of the scales, L
   double average_edge = 0, diagonal = 0;  ///< L
   double noise = 0;              ///< L; standard deviation along the normal, 0 unless it was estimated or given
+  std::size_t outliers = 0;  ///< vertices that stood out of the surface alone, and were measured as if they lay on it
   double noise_correlation = 0;  ///< L; over which it is alike from vertex to vertex, 0 where it is independent
   std::size_t converged = 0;     ///< vertices whose radius converged; all of them when it is fixed
   double mean_iterations = 0;

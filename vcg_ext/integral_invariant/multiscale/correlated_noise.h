@@ -13,20 +13,21 @@ namespace integral_invariant {
 
 /// Noise as pipelines leave it (smoothed, reconstructed, voxelised, rounded); normalised units.
 struct CorrelatedNoise {
-  double correlation = 0;     ///< ℓ of NoiseTransfer, ē
-  std::vector<double> sigma;  ///< n: standard deviation along the normal; 0 where the scales show none
+  double correlation = 0;      ///< ℓ of NoiseTransfer, ē
+  std::vector<double> sigma;   ///< n: standard deviation along the normal; 0 where the scales show none
+  bool is_of_lattice = false;  ///< steps or ripples of a grid, which vertices follow smoothly for several edges
 };
 
-/// The mean squares of the differences between neighbouring scales, averaged over places of about twice the radius, are
-/// explained as noise with one correlation length all over the mesh plus shape, which is free at each place but falls
-/// towards small scales faster than noise does:
+/// The mean squares of the differences between neighbouring scales (ScaleSpectrum) are explained as noise with one
+/// correlation length all over the mesh plus shape, which is free at each place but smooth, so that it falls towards
+/// small scales at least five times a band faster than independent noise:
 ///     C_i(place) ~ (σ² N_i(ℓ) + a S_i(p)) χ²_ν / ν,
-/// and ℓ and σ are where the sum of the places' best log likelihoods is largest. What polynomials leave over at the
-/// vertices (`white.sigma`) is one more, finest scale, which bounds noise of short correlation. Noise has to be
-/// Gaussian as well: where the differences have another kurtosis it is taken for shape. `tensors` are offset-free. Cost
-/// O(n · scales), about 3 µs a vertex, and 0.2 s once.
-CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, const NoiseLevel& white,
-                                      Execution& execution);
+/// and ℓ and σ are where the sum of the places' best log likelihoods is largest. Real relief falls less fast as well,
+/// but its differences are not Gaussian: they have another kurtosis than noise, within a neighbourhood or over a wide
+/// one, and then none is found. Of coordinates in steps and of surfaces out of a grid (CoordinateLattice) no kurtosis
+/// is asked: there the steps are noise, whatever their distribution. `tensors` are offset-free. Cost O(n · scales),
+/// about 4 µs a vertex, and 0.1 s once.
+CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, Execution& execution);
 
 /// Makes `noise` that of both: what the polynomials see, and what the scales show beyond it, a little more rather than
 /// less, because noise that is taken for shape costs much and shape that is taken for noise little.

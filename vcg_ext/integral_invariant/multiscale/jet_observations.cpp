@@ -72,14 +72,14 @@ class Signals {
 JetObservations observe_jets(const Surface& surface, const std::vector<Jet>& fits,
                              const std::vector<TangentFrame>& frames, const NoiseLevel& noise, Execution& execution)
 {
-  constexpr double evident_residual = 6, evident_terms = 1.5, least_shape_share = 0.9;
+  constexpr double evident_residual = 6, least_shape_share = 0.9;
   const std::size_t n = fits.size();
   const std::vector<char> is_near_crease = near_creases(surface, fits, execution);
   Signals signals(n, execution);
   JetFitters fitters(surface, execution);
   parallel_step(n, 256, execution, [&](std::size_t begin, std::size_t end, int worker) {
     for (std::size_t v = begin; v < end; ++v) {
-      if (!(fits[v].tensor.confidence > 0) || is_near_crease[v]) continue;
+      if (!(fits[v].tensor.confidence > 0) || is_near_crease[v] || noise.defies_jets[v]) continue;
       double variance = noise.sigma[v] * noise.sigma[v];
       if (noise.lack_of_fit[v] > least_shape_share) {
         const Jet fit = fitters.of(worker).finest(v, fits[v]);
@@ -88,9 +88,7 @@ JetObservations observe_jets(const Surface& surface, const std::vector<Jet>& fit
       } else {
         const Jet& fit = fits[v];
         if (fit.residual_variance > evident_residual * variance) variance = fit.residual_variance;
-        // A polynomial that only shape leaves over is as exact as its residual is small, and better than any ball.
-        const bool is_shape = fit.top_degree_variance > evident_terms * fit.residual_variance;
-        signals.set(v, fit, frames[v], variance, is_shape ? 1 - noise.lack_of_fit[v] : 1, noise.transfer);
+        signals.set(v, fit, frames[v], variance, 1, noise.transfer);
       }
     }
   });

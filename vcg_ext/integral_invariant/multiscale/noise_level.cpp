@@ -83,12 +83,16 @@ struct Residuals {
   std::vector<double> lack_of_fit;  ///< of it
 };
 
-/// Of what a neighbourhood's polynomials leave over. Noise stands in their terms of the highest degree as much as in
-/// what is beyond them; shape falls from degree to degree.
-double shape_share_of(double top_degree_variance, double residual)
+/// Of what a polynomial leaves over. Noise stands in its terms of the highest degree as much as in what is beyond them;
+/// shape falls from degree to degree. Averaged over a neighbourhood, single fillets and creases then do not speak for
+/// the flat parts beside them.
+double lack_of_fit_of(const Jet& fit)
 {
   constexpr double of_noise = 1.5, of_shape = 4;  // measured: 0.8 to 1.2 with noise, 40 and more without
-  return residual > 0 ? std::clamp((top_degree_variance / residual - of_noise) / (of_shape - of_noise), 0.0, 1.0) : 1;
+  return fit.residual_variance > 0
+             ? std::clamp((fit.top_degree_variance / fit.residual_variance - of_noise) / (of_shape - of_noise), 0.0,
+                          1.0)
+             : 1;
 }
 
 /// Creases stand out of the neighbourhood: first the average of the logarithms, which they move little, then of those
@@ -115,8 +119,7 @@ Residuals pooled_residuals(const std::vector<Jet>& fits, const KernelSum& pool, 
   for (int round = 0; round < rounds; ++round) {
     for_each_index(n, execution, [&](std::size_t v) {
       const bool agrees = counts(v) && fits[v].residual_variance < evident * variance[v];
-      local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual_variance : 0,
-                  agrees ? std::max(fits[v].top_degree_variance, 0.0) : 0};
+      local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual_variance : 0, agrees ? lack_of_fit_of(fits[v]) : 0};
     });
     pool.splat_and_slice(local, execution);
     for_each_index(n, execution, [&](std::size_t v) {
@@ -124,7 +127,7 @@ Residuals pooled_residuals(const std::vector<Jet>& fits, const KernelSum& pool, 
     });
   }
   for_each_index(n, execution, [&](std::size_t v) {
-    if (local[v][0] > 1e-3) result.lack_of_fit[v] = shape_share_of(local[v][2], local[v][1]);
+    if (local[v][0] > 1e-3) result.lack_of_fit[v] = local[v][2] / local[v][0];
   });
   return result;
 }
@@ -138,15 +141,14 @@ NoiseLevel estimate_noise_level(const Surface& surface, const TensorField& tenso
   const OffsetScales s = offset_scales(tensors.radii());
   const int calm = std::min(s.first + 2, int(scales) - 1);  // a larger ball, whose curvature is less noisy
   const std::vector<double> area = projected_areas(surface, tensors, calm, execution);
-  constexpr double usual_area = 0.87, pool_cell = 8;
-  // Measured on a sphere: the curvature of its triangulation is off by 0.11 e⁴/r⁴, e the edge length.
-  constexpr double flatness_error = 0.11;
+  constexpr double pool_cell = 8;
 
   NoiseLevel noise;
   std::vector<double> uneven;  // how much triangles differ in how far they lie inside
   std::vector<std::array<double, 2>> local;
   for (std::vector<double>* values : {&noise.offset, &noise.faceting_error, &noise.sigma, &noise.density, &uneven})
     resize_in_steps(*values, n, execution);
+  resize_in_steps(noise.defies_jets, n, execution);
   resize_in_steps(local, n, execution);
   for_each_index(n, execution, [&](std::size_t v) {
     const double counts = surface.is_referenced(v) ? smoothness(tensors.at_scale(v, calm), tensors.radii()[calm]) : 0;

@@ -14,6 +14,10 @@ namespace integral_invariant {
 /// Smaller balls, over σ, are not linear in the noise and say nothing.
 inline constexpr double least_radius_over_sigma = 6;
 
+inline constexpr double usual_area = 0.87;  ///< of a vertex of an even mesh, ē²
+/// Measured on a sphere: the curvature of its triangulation is off by 0.11 e⁴/r⁴, e the edge length.
+inline constexpr double flatness_error = 0.11;
+
 /// Noise along the normal, one entry a vertex; normalised units.
 struct NoiseLevel {
   std::vector<double> offset;   ///< δ: height of the smooth surface over the vertex
@@ -22,6 +26,7 @@ struct NoiseLevel {
   std::vector<double>
       faceting_error;  ///< what the triangles' flatness costs: an error of the curvature of faceting_error / r⁴
   std::vector<double> lack_of_fit;  ///< of σ², 0 to 1: how much of it is shape beyond polynomials instead
+  std::vector<char> defies_jets;    ///< whether the noise is too smooth there for polynomials to tell it from shape
   NoiseTransfer transfer;           ///< of the noise's correlation
   double mean_sigma = 0;            ///< root mean square of sigma
 };
