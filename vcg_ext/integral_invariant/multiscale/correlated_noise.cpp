@@ -21,9 +21,9 @@ using Place = ScaleSpectrum::Place;
 
 constexpr std::size_t most_judges = 400;  ///< places that decide on the correlation
 constexpr std::array<double, 8> correlations{0, 0.35, 0.5, 0.75, 1, 1.5, 2, 3};
-/// Of shape from band to band, over that of independent noise. A wave that is long against the balls has 1.49⁵ = 7 for
-/// the default radii.
-constexpr std::array<double, 2> shape_slopes{5, 7};
+/// Of the radius, by which shape rises over independent noise: differences of a wave that is long against the balls go
+/// with r², of noise with r⁻³.
+constexpr std::array<double, 2> shape_exponents{4, 5};
 constexpr std::size_t level_count = 24;
 constexpr int amplitude_count = 28;
 constexpr double least_level = 0.004, largest_level = 1;
@@ -44,14 +44,15 @@ class Levels {
     const std::vector<double> noise = difference_variances(correlation, radii);
     const std::vector<double> white = difference_variances(0, radii);
     for (std::size_t l = 0; l <= level_count; ++l)
-      for (const double slope : shape_slopes)
-        for (int a = -1; a < amplitude_count; ++a) add_model(level(l) * level(l), noise, white, slope, a);
+      for (const double exponent : shape_exponents)
+        for (int a = -1; a < amplitude_count; ++a)
+          add_model(level(l) * level(l), noise, rising_shape(white, radii, exponent), a);
   }
 
   Likelihoods of(const Place& place) const
   {
     Likelihoods best;
-    const std::size_t each = shape_slopes.size() * (amplitude_count + 1);
+    const std::size_t each = shape_exponents.size() * (amplitude_count + 1);
     for (std::size_t l = 0; l < best.size(); ++l) {
       best[l] = -std::numeric_limits<double>::infinity();
       for (std::size_t m = l * each; m < (l + 1) * each; ++m) {
@@ -65,13 +66,18 @@ class Levels {
   }
 
  private:
-  void add_model(double square, const std::vector<double>& noise, const std::vector<double>& white, double slope, int a)
+  static std::vector<double> rising_shape(std::vector<double> white, const std::vector<double>& radii, double exponent)
+  {
+    for (std::size_t i = 0; i < white.size(); ++i) white[i] *= std::pow(radii[i] / radii[0], 2 * exponent);
+    return white;
+  }
+
+  void add_model(double square, const std::vector<double>& noise, const std::vector<double>& shape, int a)
   {
     constexpr double least = 1e-14, smallest = 3e-6, step = 2.2;  // of the shape's amplitude in the finest band, as σ
     const double amplitude = a < 0 ? 0 : smallest * std::pow(step, a / 2.0);
     for (std::size_t i = 0; i < bands_; ++i) {
-      const double shape = amplitude * amplitude * white[i] * std::pow(slope, 2.0 * double(i));
-      const double mean = square * noise[i] + shape + least;
+      const double mean = square * noise[i] + amplitude * amplitude * shape[i] + least;
       log_.push_back(std::log(mean));
       inverse_.push_back(1 / mean);
     }
@@ -208,16 +214,19 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
 
   const Fit fit = best_fit(spectrum, tensors.radii(), judges, execution);
   const CoordinateLattice lattice = find_coordinate_lattice(surface.positions());
-  result.is_of_lattice = lattice.is_rounded() || lattice.is_from_grid;
+  const bool is_of_lattice = lattice.is_rounded() || lattice.is_from_grid;
   // Small gains are shape that the family of shapes does not quite have: even bumps show up to 15, noise 20 and more.
-  constexpr double least_gain = 16;
-  const bool is_noise =
-      fit.gain > least_gain && (result.is_of_lattice || is_gaussian(spectrum, fit, tensors.radii(), judges));
+  // A solid whose flat sides were sampled on a lattice shows none.
+  constexpr double least_gain = 16, least_gain_on_lattice = 4;
+  const bool is_noise = is_of_lattice ? fit.gain > least_gain_on_lattice
+                                      : fit.gain > least_gain && fit.correlation > 0 &&
+                                            is_gaussian(spectrum, fit, tensors.radii(), judges);
+  result.is_of_lattice = lattice.is_from_grid || (is_noise && lattice.is_rounded());
   if (is_noise) {
     result.correlation = fit.correlation;
     spread_levels(surface, spectrum, tensors.radii(), fit, result.sigma, execution);
   }
-  if (lattice.is_rounded()) {
+  if (is_noise && lattice.is_rounded()) {
     const int calm = std::min(4, int(tensors.radii().size()) - 1);
     for_each_index(result.sigma.size(), execution, [&](std::size_t v) {
       const double variance = lattice.variance_along(tensors.at_scale(v, calm).normal);

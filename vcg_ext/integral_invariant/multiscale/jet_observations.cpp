@@ -41,23 +41,22 @@ class Signals {
     }
   }
 
-  /// \param variance of the vertices about the polynomial \param noise_share of it, 0 to 1
-  void set(std::size_t v, const Jet& fit, const TangentFrame& frame, double variance, double noise_share,
+  /// \param noise variance of the vertices about the polynomial that is noise \param error all of it
+  void set(std::size_t v, const Jet& fit, const TangentFrame& frame, double noise, double error,
            const NoiseTransfer& transfer)
   {
     const TensorComponents c = components_of(fit.tensor, frame);
     result_.mean.values[v] = {c.mean, 0};
     result_.deviator.values[v] = c.deviator;
     result_.normal.values[v] = c.tilt;
-    const double of_noise = std::max(variance * noise_share, least_variance);
     const std::pair<JetObservation*, double> parts[] = {{&result_.mean, fit.mean_variance},
                                                         {&result_.deviator, fit.deviator_variance},
                                                         {&result_.normal, fit.normal_variance}};
     for (const auto& [signal, of_part] : parts) {
       const double ratio =
           signal == &result_.normal ? transfer.normal_ratio_of(of_part) : transfer.curvature_ratio_of(of_part);
-      signal->noise[v] = of_part * ratio * of_noise;
-      signal->error[v] = of_part * ratio * std::max(variance, least_variance);
+      signal->noise[v] = of_part * ratio * std::max(noise, least_variance);
+      signal->error[v] = of_part * ratio * std::max(error, least_variance);
     }
   }
 
@@ -83,12 +82,12 @@ JetObservations observe_jets(const Surface& surface, const std::vector<Jet>& fit
       double variance = noise.sigma[v] * noise.sigma[v];
       if (noise.lack_of_fit[v] > least_shape_share) {
         const Jet fit = fitters.of(worker).finest(v, fits[v]);
-        signals.set(v, fit, frames[v], fit.residual_variance >= 0 ? fit.residual_variance : variance,
-                    1 - noise.lack_of_fit[v], noise.transfer);
+        signals.set(v, fit, frames[v], 0, fit.residual_variance >= 0 ? fit.residual_variance : variance,
+                    noise.transfer);
       } else {
         const Jet& fit = fits[v];
         if (fit.residual_variance > evident_residual * variance) variance = fit.residual_variance;
-        signals.set(v, fit, frames[v], variance, 1, noise.transfer);
+        signals.set(v, fit, frames[v], variance, variance, noise.transfer);
       }
     }
   });

@@ -83,16 +83,12 @@ struct Residuals {
   std::vector<double> lack_of_fit;  ///< of it
 };
 
-/// Of what a polynomial leaves over. Noise stands in its terms of the highest degree as much as in what is beyond them;
-/// shape falls from degree to degree. Averaged over a neighbourhood, single fillets and creases then do not speak for
-/// the flat parts beside them.
-double lack_of_fit_of(const Jet& fit)
+/// Of what a neighbourhood's polynomials leave over. Noise stands in their terms of the highest degree as much as in
+/// what is beyond them; shape falls from degree to degree.
+double lack_of_fit_of(double top_degree_variance, double residual)
 {
   constexpr double of_noise = 1.5, of_shape = 4;  // measured: 0.8 to 1.2 with noise, 40 and more without
-  return fit.residual_variance > 0
-             ? std::clamp((fit.top_degree_variance / fit.residual_variance - of_noise) / (of_shape - of_noise), 0.0,
-                          1.0)
-             : 1;
+  return residual > 0 ? std::clamp((top_degree_variance / residual - of_noise) / (of_shape - of_noise), 0.0, 1.0) : 1;
 }
 
 /// Creases stand out of the neighbourhood: first the average of the logarithms, which they move little, then of those
@@ -100,6 +96,8 @@ double lack_of_fit_of(const Jet& fit)
 Residuals pooled_residuals(const std::vector<Jet>& fits, const KernelSum& pool, Execution& execution)
 {
   constexpr double least = 1e-20, evident = 6;
+  // Single fillets and creases do not speak for the flat parts beside them.
+  constexpr double largest_top = 8;
   constexpr int rounds = 4;
   const std::size_t n = fits.size();
   Residuals result;
@@ -119,7 +117,8 @@ Residuals pooled_residuals(const std::vector<Jet>& fits, const KernelSum& pool, 
   for (int round = 0; round < rounds; ++round) {
     for_each_index(n, execution, [&](std::size_t v) {
       const bool agrees = counts(v) && fits[v].residual_variance < evident * variance[v];
-      local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual_variance : 0, agrees ? lack_of_fit_of(fits[v]) : 0};
+      local[v] = {agrees ? 1.0 : 0, agrees ? fits[v].residual_variance : 0,
+                  agrees ? std::clamp(fits[v].top_degree_variance, 0.0, largest_top * variance[v]) : 0};
     });
     pool.splat_and_slice(local, execution);
     for_each_index(n, execution, [&](std::size_t v) {
@@ -127,7 +126,7 @@ Residuals pooled_residuals(const std::vector<Jet>& fits, const KernelSum& pool, 
     });
   }
   for_each_index(n, execution, [&](std::size_t v) {
-    if (local[v][0] > 1e-3) result.lack_of_fit[v] = local[v][2] / local[v][0];
+    if (local[v][0] > 1e-3) result.lack_of_fit[v] = lack_of_fit_of(local[v][2], local[v][1]);
   });
   return result;
 }
