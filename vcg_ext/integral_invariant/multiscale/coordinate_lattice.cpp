@@ -101,6 +101,22 @@ bool is_binary_mask(const std::vector<Vec3>& sample, const std::array<Comb, 3>& 
   return double(counts[5] + counts[6] + counts[7]) > nearly_all * double(sample.size());
 }
 
+/// Whether the triangles lie in planes across the axes, as those of a box that was sampled on a lattice do: it has no
+/// steps that are not its own.
+bool is_boxy(const Surface& surface)
+{
+  const std::vector<Vec3>& p = surface.positions();
+  std::size_t across_axis = 0;
+  for (const Triangle& t : surface.triangles()) {
+    constexpr double largest_extent = 1e-4;  // ē
+    Box box;
+    for (const int v : t) box.add(p[std::size_t(v)]);
+    const Vec3 extent = box.high - box.low;
+    across_axis += std::min({extent.x, extent.y, extent.z}) < largest_extent;
+  }
+  return double(across_axis) > nearly_all * double(surface.triangles().size());
+}
+
 }  // namespace
 
 double CoordinateLattice::variance_along(const Vec3& normal) const
@@ -109,9 +125,9 @@ double CoordinateLattice::variance_along(const Vec3& normal) const
   return squared_norm(Vec3{normal.x * steps[0], normal.y * steps[1], normal.z * steps[2]}) * of_uniform;
 }
 
-CoordinateLattice find_coordinate_lattice(const std::vector<Vec3>& positions)
+CoordinateLattice find_coordinate_lattice(const Surface& surface)
 {
-  const std::vector<Vec3> sample = sample_of(positions);
+  const std::vector<Vec3> sample = sample_of(surface.positions());
   const std::array<Comb, 3> combs{comb_along(sample, &Vec3::x), comb_along(sample, &Vec3::y),
                                   comb_along(sample, &Vec3::z)};
   std::array<std::size_t, 3> on_axis{};
@@ -128,6 +144,7 @@ CoordinateLattice find_coordinate_lattice(const std::vector<Vec3>& positions)
   CoordinateLattice lattice;
   const auto axes = std::count_if(on_axis.begin(), on_axis.end(), are_nearly_all);
   if (are_nearly_all(on_all)) {
+    if (is_boxy(surface)) return lattice;
     const double steps_a_voxel = is_binary_mask(sample, combs) ? 2 : 1;
     for (std::size_t a = 0; a < 3; ++a) lattice.steps[a] = combs[a].step * steps_a_voxel;
   } else if (axes == 1) {

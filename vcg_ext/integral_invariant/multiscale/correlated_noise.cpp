@@ -213,14 +213,11 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
   if (spectrum.bands() < least_bands || judges.empty()) return result;
 
   const Fit fit = best_fit(spectrum, tensors.radii(), judges, execution);
-  const CoordinateLattice lattice = find_coordinate_lattice(surface.positions());
-  const bool is_of_lattice = lattice.is_rounded() || lattice.is_from_grid;
+  const CoordinateLattice lattice = find_coordinate_lattice(surface);
   // Small gains are shape that the family of shapes does not quite have: even bumps show up to 15, noise 20 and more.
-  // A solid whose flat sides were sampled on a lattice shows none.
   constexpr double least_gain = 16, least_gain_on_lattice = 4;
-  const bool is_noise = is_of_lattice ? fit.gain > least_gain_on_lattice
-                                      : fit.gain > least_gain && fit.correlation > 0 &&
-                                            is_gaussian(spectrum, fit, tensors.radii(), judges);
+  bool is_noise = fit.gain > least_gain && fit.correlation > 0 && is_gaussian(spectrum, fit, tensors.radii(), judges);
+  if (lattice.is_from_grid || lattice.is_rounded()) is_noise = fit.gain > least_gain_on_lattice;
   result.is_of_lattice = lattice.is_from_grid || (is_noise && lattice.is_rounded());
   if (is_noise) {
     result.correlation = fit.correlation;
@@ -246,7 +243,7 @@ void add_correlated_noise(const CorrelatedNoise& correlated, NoiseLevel& noise, 
     noise.defies_jets[v] = correlated.is_of_lattice || found > white;
     if (found > white) {
       const double variance = white + inflation * (found - white);
-      noise.density[v] = white > 0 ? noise.density[v] * variance / white : usual_area * variance;
+      noise.density[v] += usual_area * (variance - white);
       noise.sigma[v] = std::sqrt(variance);
       noise.lack_of_fit[v] = 0;
     }

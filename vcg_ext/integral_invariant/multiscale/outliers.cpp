@@ -24,8 +24,8 @@ class OutlierTest {
   bool is_candidate(std::uint32_t v) const
   {
     constexpr double least_share = 0.25;
-    constexpr std::uint32_t least_neighbours = 3, most_neighbours = 64;
-    const std::uint32_t count = surface_.neighbour_start()[v + 1] - surface_.neighbour_start()[v];
+    constexpr std::uint32_t least_neighbours = 3;
+    const std::uint32_t count = valence(v);
     if (count < least_neighbours || count > most_neighbours) return false;
     double edges = 0;
     for (std::uint32_t i = 0; i < count; ++i) edges += norm(position(neighbour(v, i)) - position(v));
@@ -60,6 +60,13 @@ class OutlierTest {
     double value = 0, deviation = INFINITY;  ///< over v, of a quadric through the vertices around; of these from it
   };
 
+  /// The hub of a fan has nothing to say about its spokes, and their number squared would be the work.
+  static constexpr std::uint32_t most_neighbours = 64;
+
+  std::uint32_t valence(std::uint32_t v) const
+  {
+    return surface_.neighbour_start()[v + 1] - surface_.neighbour_start()[v];
+  }
   const Vec3& position(std::uint32_t v) const { return surface_.positions()[v]; }
   std::uint32_t neighbour(std::uint32_t v, std::uint32_t i) const
   {
@@ -85,7 +92,8 @@ class OutlierTest {
     around_.clear();
     const auto add_neighbours = [&](std::uint32_t u) {
       for (std::uint32_t e = surface_.neighbour_start()[u]; e < surface_.neighbour_start()[u + 1]; ++e)
-        if (surface_.neighbours()[e] != v) around_.push_back(surface_.neighbours()[e]);
+        if (const std::uint32_t w = surface_.neighbours()[e]; w != v && valence(w) <= most_neighbours)
+          around_.push_back(w);
     };
     add_neighbours(v);
     const std::size_t first_ring = around_.size();
