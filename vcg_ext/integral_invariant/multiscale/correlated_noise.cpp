@@ -26,7 +26,7 @@ constexpr std::array<double, 8> correlations{0, 0.35, 0.5, 0.75, 1, 1.5, 2, 3};
 constexpr std::array<double, 2> shape_exponents{4, 5};
 constexpr std::size_t level_count = 24;
 constexpr int amplitude_count = 28;
-constexpr double least_level = 0.004, largest_level = 1;
+constexpr double least_level = 0.004, largest_level = 0.7;
 
 /// Standard deviations that are tried; none for 0.
 double level(std::size_t i)
@@ -216,7 +216,10 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
   const CoordinateLattice lattice = find_coordinate_lattice(surface);
   // Small gains are shape that the family of shapes does not quite have: even bumps show up to 15, noise 20 and more.
   constexpr double least_gain = 16, least_gain_on_lattice = 4;
-  bool is_noise = fit.gain > least_gain && fit.correlation > 0 && is_gaussian(spectrum, fit, tensors.radii(), judges);
+  // What takes the largest level is larger, and shape.
+  const bool is_bounded = fit.centre < std::log(largest_level);
+  bool is_noise =
+      fit.gain > least_gain && fit.correlation > 0 && is_bounded && is_gaussian(spectrum, fit, tensors.radii(), judges);
   if (lattice.is_from_grid || lattice.is_rounded()) is_noise = fit.gain > least_gain_on_lattice;
   result.is_of_lattice = lattice.is_from_grid || (is_noise && lattice.is_rounded());
   if (is_noise) {
