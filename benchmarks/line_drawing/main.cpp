@@ -160,8 +160,10 @@ class Measured {
     LineScalar scalar = drawing.kind == LineKind::contour
                             ? contour_scalar(field, view, execution_)
                             : suggestive_scalar(field, view, LineKind::suggestive_contour, execution_);
-    for (double& z : scalar.significance)
-      z = drawing.kind == LineKind::contour || z > threshold ? largest_significance : 0;
+    for (std::size_t v = 0; v < field.size(); ++v) {
+      const bool is_kept = drawing.kind == LineKind::contour || scalar.strength[v] > threshold;
+      scalar.significance[v] = is_kept ? largest_significance : 0;
+    }
     return zero_lines(*surface_, *topology_, field, scalar, {1, 0}, execution_);
   }
 

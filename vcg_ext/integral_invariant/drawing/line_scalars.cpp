@@ -17,6 +17,7 @@ LineScalar empty_scalar(LineKind kind, std::size_t n, Execution& execution)
   return s;
 }
 
+constexpr double reach_on_both_sides = 4;  // widths: that of the local fits is 2 of them
 constexpr double certain_error = 2;  // standard errors, from which on a curvature has a sign
 
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }
@@ -62,8 +63,9 @@ LineScalar suggestive_scalar(const DifferentiatedField& field, const View& view,
     s.value[v] = r.scaled;
     if (!(r.cosine > 0)) return;
     s.strength[v] = sign * ratio(r.derivative, std::sqrt(r.squared_sine));
-    s.significance[v] = std::min(sign * ratio(r.derivative, r.derivative_error),
-                                 ratio(2 * s.strength[v] * field.width[v], field.error[v]));
+    const double z = sign * ratio(r.derivative, r.derivative_error);
+    const double change = reach_on_both_sides * std::abs(s.strength[v]) * field.width[v];
+    s.significance[v] = std::min(z, ratio(change, field.error[v]));
   });
   return s;
 }

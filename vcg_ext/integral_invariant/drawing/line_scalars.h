@@ -31,8 +31,8 @@ LineScalar contour_scalar(const DifferentiatedField& field, const View& view, Ex
 
 /// Suggestive contours (DeCarlo et al. 2003): κ_r = 0 on the front, D_w κ_r > 0; as highlights (DeCarlo and
 /// Rusinkiewicz 2007), D_w κ_r < 0. z: sinθ · |D_w κ_r| over its standard error, and no more than the change of κ_r
-/// from one width of the fits before to one after, over the error of the curvature: on flat parts noise has zeros
-/// everywhere. Strength: |D_w κ_r|.
+/// over the reach of the local fits over the error of the curvature: on flat parts noise has zeros everywhere.
+/// Strength: |D_w κ_r|.
 LineScalar suggestive_scalar(const DifferentiatedField& field, const View& view, LineKind kind, Execution& execution);
 
 /// The plane dot(p, normal) = offset, in normalised units, cut with the fitted surface.

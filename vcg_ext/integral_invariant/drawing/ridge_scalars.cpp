@@ -178,7 +178,7 @@ LineScalar demarcating_scalar(const DifferentiatedField& field, Execution& execu
     s.strength[v] = cubic_form(field.derivative[v], x, y);
     const double z = ratio(s.strength[v], field.derivative_noise[v]);
     s.significance[v] = std::min(std::sqrt(std::max(0.0, z * z - square_of_choice)),
-                                 ratio(2 * s.strength[v] * field.width[v], field.error[v]));
+                                 ratio(s.strength[v] * field.width[v], field.error[v]));
   });
   return s;
 }

@@ -17,7 +17,7 @@ LineScalar apparent_ridge_scalar(const Surface& surface, const DifferentiatedFie
 
 /// Demarcating curves (Kolomenkin et al. 2008): II(g, g) = 0, where g is the unit vector that maximises C(g, g, g).
 /// z: C(g, g, g) over its standard error, less what choosing the maximum adds, and no more than the change of the
-/// curvature from one width of the fits before to one after, over its own. Strength: C(g, g, g).
+/// curvature from the line to one width of the fits beside it, over its own. Strength: C(g, g, g).
 LineScalar demarcating_scalar(const DifferentiatedField& field, Execution& execution);
 
 /// The angle in the principal frame at which C(g, g, g) is largest.
