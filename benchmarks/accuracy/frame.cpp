@@ -52,6 +52,13 @@ Moves moves_between(const Result& before, const Result& after)
   return moves;
 }
 
+/// As a host that stores single precision has it.
+TriangleMesh in_single_precision(TriangleMesh mesh)
+{
+  for (Vec3& p : mesh.positions) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
+  return mesh;
+}
+
 }  // namespace
 
 void print_frame_dependence(const std::vector<std::string>& paths, std::uint32_t seed)
@@ -69,13 +76,14 @@ void print_frame_dependence(const std::vector<std::string>& paths, std::uint32_t
     for (int i = 0; i < rotations; ++i) {
       const Vec3 axis = normalized({gauss(generator), gauss(generator), gauss(generator)});
       const TriangleMesh turned = test_support::rotated(mesh, axis, angle(generator));
-      const auto print = [&](const char* method, const Result& first, const Parameters& parameters) {
-        const Moves m = moves_between(first, compute_curvature(turned, parameters));
+      const auto print = [&](const char* method, const Result& first, const Result& second) {
+        const Moves m = moves_between(first, second);
         std::printf("| %s | %s | %.5f | %.5f | %.5f | %.2f |\n", path.substr(path.rfind('/') + 1).c_str(), method,
                     m.share[0], m.share[1], m.share[2], m.largest_over_error);
       };
-      print("default", before, {});
-      print("published", published, published_method());
+      print("default", before, compute_curvature(turned, {}));
+      print("default, single precision", before, compute_curvature(in_single_precision(turned), {}));
+      print("published", published, compute_curvature(turned, published_method()));
       std::fflush(stdout);
     }
   }

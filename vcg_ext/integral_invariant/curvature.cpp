@@ -15,6 +15,7 @@
 #include "integral_invariant/error.h"
 #include "integral_invariant/jets/jet_fit.h"
 #include "integral_invariant/mesh/canonical_mesh.h"
+#include "integral_invariant/mesh/principal_axes.h"
 #include "integral_invariant/moments/engine.h"
 #include "integral_invariant/moments/scales.h"
 #include "integral_invariant/multiscale/correlated_noise.h"
@@ -133,13 +134,15 @@ void curvature_at_one_radius(const Surface& surface, const std::vector<std::uint
 
 /// Steps 2 to 5 by statistics: all scales of every vertex, weighted by their evidence.
 void curvature_by_evidence(const Surface& surface, const std::vector<std::uint32_t>& original_index,
-                           OffsetFreeField field, const Parameters& p, Result& result, Execution& execution)
+                           const CoordinateLattice& lattice, OffsetFreeField field, const Parameters& p, Result& result,
+                           Execution& execution)
 {
   execution.begin_stage("noise", 83);
   const std::vector<Jet> fits = fit_jets(surface, field.tensors, execution);
   NoiseLevel noise =
       estimate_noise_level(surface, field.tensors, field.offsets, fits, p.noise / surface.unit(), execution);
-  if (!(p.noise > 0)) add_correlated_noise(find_correlated_noise(surface, field.tensors, execution), noise, execution);
+  if (!(p.noise > 0))
+    add_correlated_noise(find_correlated_noise(surface, lattice, field.tensors, execution), noise, execution);
   result.noise_correlation = noise.transfer.correlation() * surface.unit();
 
   execution.begin_stage("weighing the scales", 99);
@@ -164,6 +167,13 @@ void require_sensible_noise(double noise, double unit)
   text << "The parameter 'noise' is " << noise << ", more than " << largest_noise << " average edge lengths (" << unit
        << "). Give the standard deviation in the unit of the mesh, or 0 to have it estimated.";
   throw ParameterError(text.str());
+}
+
+/// Directions along `axes`, as the caller has them.
+void turn_back(const Axes& axes, Result& result, Execution& execution)
+{
+  for (auto* vectors : {&result.dir_max, &result.dir_min, &result.normal})
+    for_each_index(vectors->size(), execution, [&](std::size_t v) { (*vectors)[v] = axes.vector((*vectors)[v]); });
 }
 
 /// Every vertex of the caller that is a copy of one that was measured gets what that one has.
@@ -220,12 +230,21 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
   Result result;
 
   execution.begin_stage("checking the surface", 4);
-  CanonicalMesh canonical = make_canonical_mesh(mesh, execution);
+  const bool is_statistical = parameters.radius_choice == RadiusChoice::statistical;
+  // The averages over neighbourhoods would see the caller's axes. The FFT engine's grid does in any case.
+  const bool is_turned = is_statistical && parameters.engine == EngineKind::surface_integral;
+  const Axes axes = is_turned ? principal_axes(mesh, execution) : Axes{};
+  CanonicalMesh canonical = make_canonical_mesh(mesh, execution, axes);
   execution.report(0.5);
   Surface surface(canonical.mesh, execution);
-  if (parameters.radius_choice == RadiusChoice::statistical && parameters.estimator != Estimator::yang06)
+  if (is_statistical && parameters.estimator != Estimator::yang06)
     result.outliers = set_back_outliers(canonical.mesh, surface, execution);
   canonical.mesh = {};  // the surface has its own
+  CoordinateLattice lattice = find_coordinate_lattice(surface);
+  if (is_turned) {
+    surface.turn_to(axes, execution);
+    lattice.axes = axes;
+  }
   const std::vector<std::uint32_t>& original_index = canonical.original_index;
   const std::vector<double> scales = scale_radii(parameters, surface.unit());
   require_sensible_noise(parameters.noise, surface.unit());
@@ -244,8 +263,9 @@ Result compute_curvature(const TriangleMesh& mesh, const Parameters& parameters,
     OffsetFreeField field = offset_free_at_all_scales(surface, *engine, scales, execution);
     engine.reset();
     resize_result(mesh.positions.size(), result, execution);
-    if (parameters.radius_choice == RadiusChoice::statistical) {
-      curvature_by_evidence(surface, original_index, std::move(field), parameters, result, execution);
+    if (is_statistical) {
+      curvature_by_evidence(surface, original_index, lattice, std::move(field), parameters, result, execution);
+      if (is_turned) turn_back(axes, result, execution);
     } else {
       if (parameters.estimator == Estimator::bias_free) remove_bias(field, execution);
       curvature_at_one_radius(surface, original_index, field.tensors, parameters, result, execution);

@@ -28,22 +28,23 @@ std::vector<char> used_vertices(const TriangleMesh& mesh, Execution& execution)
   return used;
 }
 
-HilbertCurve curve_through(const std::vector<Vec3>& positions, const std::vector<char>& used, Execution& execution)
+HilbertCurve curve_through(const std::vector<Vec3>& positions, const std::vector<char>& used, const Axes& axes,
+                           Execution& execution)
 {
   Box box;
   for_each_in_order(positions.size(), execution, [&](std::size_t v) {
-    if (used[v]) box.add(positions[v]);
+    if (used[v]) box.add(axes.coordinates_of(positions[v]));
   });
   const Vec3 extent = box.high - box.low;
-  return {box.low + extent * 0.5, 0.5 * norm(extent)};
+  return {axes.vector(box.low + extent * 0.5), 0.5 * norm(extent), axes};
 }
 
 /// Numbers the caller's vertices in canonical order; those at the same place, which follow each other, are one.
-void number_vertices(const TriangleMesh& mesh, CanonicalMesh& canonical, Execution& execution)
+void number_vertices(const TriangleMesh& mesh, const Axes& axes, CanonicalMesh& canonical, Execution& execution)
 {
   const std::vector<char> used = used_vertices(mesh, execution);
   const std::vector<CurveCell> places = hilbert_sort(
-      curve_through(mesh.positions, used, execution), mesh.positions, [&](std::size_t v) { return used[v] != 0; },
+      curve_through(mesh.positions, used, axes, execution), mesh.positions, [&](std::size_t v) { return used[v] != 0; },
       execution);
   reserve_large(canonical.original_index, mesh.positions.size());
   reserve_large(canonical.mesh.positions, mesh.positions.size());
@@ -121,11 +122,11 @@ CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh)
   return make_canonical_mesh(mesh, execution);
 }
 
-CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh, Execution& execution)
+CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh, Execution& execution, const Axes& axes)
 {
   require_valid_indices(mesh);
   CanonicalMesh canonical;
-  number_vertices(mesh, canonical, execution);
+  number_vertices(mesh, axes, canonical, execution);
   canonical.mesh.triangles =
       ordered_triangles(mesh.triangles, canonical.vertex_of, canonical.original_index.size(), execution);
   const std::vector<std::uint32_t> first = coincident_border(canonical.mesh, execution);

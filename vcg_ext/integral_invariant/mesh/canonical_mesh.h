@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/support/axes.h"
 #include "integral_invariant/support/execution.h"
 
 namespace integral_invariant {
@@ -43,12 +44,13 @@ struct CanonicalMesh {
   }
 };
 
-/// Vertices along a Hilbert curve through the box of the surface, within a cell of it by their coordinates; those that
+/// Vertices along a Hilbert curve through the box of the surface along the given axes, within a cell of it by their
+/// coordinates; those that
 /// no triangle of three different, finite vertices uses come last, in the order in which the caller has them. Those
 /// that triangles use are joined where they are at the same place, and along open edges where they are as near as the
 /// mesh's own precision can tell (see coincident_border()). Triangles begin with their smallest vertex, and are sorted.
 /// Cost: O(n log n + m), and 56 bytes a vertex. \throw InputError where an index is out of range
-CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh, Execution& execution);
+CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh, Execution& execution, const Axes& axes = {});
 /// The same with one thread.
 CanonicalMesh make_canonical_mesh(const TriangleMesh& mesh);
 

@@ -59,8 +59,10 @@ std::uint64_t index_of(std::uint32_t x, std::uint32_t y, std::uint32_t z)
 
 }  // namespace
 
-HilbertCurve::HilbertCurve(const Vec3& centre, double half_side)
-    : low_(centre - Vec3{half_side, half_side, half_side}), cells_per_length_(double(1U << bits) / (2 * half_side))
+HilbertCurve::HilbertCurve(const Vec3& centre, double half_side, const Axes& axes)
+    : axes_(axes),
+      low_(centre - axes.vector({half_side, half_side, half_side})),
+      cells_per_length_(double(1U << bits) / (2 * half_side))
 {
 }
 
@@ -79,7 +81,7 @@ std::vector<std::uint64_t> HilbertCurve::indices(const std::vector<Vec3>& points
       const std::size_t count = std::min(Cells::count, last - begin);
       Cells c{};
       for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 offset = points[begin + i] - low_;
+        const Vec3 offset = axes_.coordinates_of(points[begin + i] - low_);
         c.x[i] = cell(offset.x);
         c.y[i] = cell(offset.y);
         c.z[i] = cell(offset.z);

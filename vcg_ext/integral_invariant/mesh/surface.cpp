@@ -83,6 +83,20 @@ Surface::Surface(const TriangleMesh& mesh, Execution& execution)
   turn_outward(execution);
 }
 
+void Surface::turn_to(const Axes& axes, Execution& execution)
+{
+  Box box;
+  for_each_in_order(positions_.size(), execution, [&](std::size_t v) {
+    if (!is_referenced(v)) return;
+    positions_[v] = axes.coordinates_of(positions_[v]);
+    box.add(positions_[v]);
+  });
+  const Vec3 centre = box.low + (box.high - box.low) * 0.5;
+  for_each_index(positions_.size(), execution, [&](std::size_t v) {
+    if (is_referenced(v)) positions_[v] -= centre;
+  });
+}
+
 void Surface::take_triangles(const TriangleMesh& mesh, Execution& execution)
 {
   report_.vertices = mesh.positions.size();

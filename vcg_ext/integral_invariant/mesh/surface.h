@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "integral_invariant/mesh.h"
+#include "integral_invariant/support/axes.h"
 #include "integral_invariant/support/execution.h"
 
 namespace integral_invariant {
@@ -36,6 +37,10 @@ class Surface {
   /// The same with one thread.
   explicit Surface(const TriangleMesh& mesh);
 
+  /// Takes coordinates along `axes` from now on, about the centre of the box along them. What was found on checking the
+  /// mesh stays as it was. Cost O(n).
+  void turn_to(const Axes& axes, Execution& execution);
+
   std::size_t vertex_count() const { return positions_.size(); }
   /// n; vertices without a triangle stand at the origin.
   const std::vector<Vec3>& positions() const { return positions_; }
@@ -52,7 +57,7 @@ class Surface {
 
   /// Length of the normalised unit in the caller's unit: the average edge length ē.
   double unit() const { return unit_; }
-  /// Diagonal of the bounding box, in normalised coordinates.
+  /// Diagonal of the mesh's bounding box, in normalised coordinates.
   double diagonal() const { return diagonal_; }
   /// Every edge is passed equally often in both directions.
   bool is_closed() const { return report_.boundary_edges == 0 && report_.inconsistent_edges == 0; }

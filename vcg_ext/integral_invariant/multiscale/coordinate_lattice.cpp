@@ -122,7 +122,8 @@ bool is_boxy(const Surface& surface)
 double CoordinateLattice::variance_along(const Vec3& normal) const
 {
   constexpr double of_uniform = 1.0 / 12;
-  return squared_norm(Vec3{normal.x * steps[0], normal.y * steps[1], normal.z * steps[2]}) * of_uniform;
+  const Vec3 n = axes.vector(normal);
+  return squared_norm(Vec3{n.x * steps[0], n.y * steps[1], n.z * steps[2]}) * of_uniform;
 }
 
 CoordinateLattice find_coordinate_lattice(const Surface& surface)

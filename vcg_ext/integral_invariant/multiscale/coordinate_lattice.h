@@ -5,6 +5,7 @@
 #include <array>
 
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/support/axes.h"
 
 namespace integral_invariant {
 
@@ -15,6 +16,7 @@ struct CoordinateLattice {
   std::array<double, 3> steps{};
   /// Each vertex lies on an edge of a grid, as marching cubes leave it: two of its three coordinates are the grid's.
   bool is_from_grid = false;
+  Axes axes;  ///< that normals are along, seen from the lattice's
 
   bool is_rounded() const { return steps[0] > 0 || steps[1] > 0 || steps[2] > 0; }
   /// Variance of the rounding along a normal: that of a uniform error as wide as the step along each axis.

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "integral_invariant/multiscale/coordinate_lattice.h"
 #include "integral_invariant/multiscale/noise_transfer.h"
 #include "integral_invariant/multiscale/scale_spectrum.h"
 #include "integral_invariant/support/kernel_sum.h"
@@ -203,7 +202,8 @@ void spread_levels(const Surface& surface, const ScaleSpectrum& spectrum, const 
 
 }  // namespace
 
-CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, Execution& execution)
+CorrelatedNoise find_correlated_noise(const Surface& surface, const CoordinateLattice& lattice,
+                                      const TensorField& tensors, Execution& execution)
 {
   CorrelatedNoise result;
   resize_in_steps(result.sigma, surface.vertex_count(), execution);
@@ -213,7 +213,6 @@ CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField&
   if (spectrum.bands() < least_bands || judges.empty()) return result;
 
   const Fit fit = best_fit(spectrum, tensors.radii(), judges, execution);
-  const CoordinateLattice lattice = find_coordinate_lattice(surface);
   // Small gains are shape that the family of shapes does not quite have: even bumps show up to 15, noise 20 and more.
   constexpr double least_gain = 16, least_gain_on_lattice = 4;
   // What takes the largest level is larger, and shape.

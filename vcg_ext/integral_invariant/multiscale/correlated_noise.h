@@ -6,6 +6,7 @@
 
 #include "integral_invariant/ball_curvature/tensor_field.h"
 #include "integral_invariant/mesh/surface.h"
+#include "integral_invariant/multiscale/coordinate_lattice.h"
 #include "integral_invariant/multiscale/noise_level.h"
 #include "integral_invariant/support/execution.h"
 
@@ -27,7 +28,8 @@ struct CorrelatedNoise {
 /// one, and then none is found. Of coordinates in steps and of surfaces out of a grid (CoordinateLattice) no kurtosis
 /// is asked: there the steps are noise, whatever their distribution. `tensors` are offset-free. Cost O(n · scales),
 /// about 4 µs a vertex, and 0.1 s once.
-CorrelatedNoise find_correlated_noise(const Surface& surface, const TensorField& tensors, Execution& execution);
+CorrelatedNoise find_correlated_noise(const Surface& surface, const CoordinateLattice& lattice,
+                                      const TensorField& tensors, Execution& execution);
 
 /// Makes `noise` that of both: what the polynomials see, and what the scales show beyond it, a little more rather than
 /// less, because noise that is taken for shape costs much and shape that is taken for noise little.

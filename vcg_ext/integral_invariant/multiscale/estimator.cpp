@@ -183,7 +183,7 @@ MultiscaleCurvature estimate_multiscale(const Surface& surface, TensorField& ten
   for_each_index(n, execution, [&](std::size_t v) {
     result.tensor[v] =
         tensor_of({chains.mean.value[v][0], chains.deviator.value[v], chains.normal.value[v]}, frames[v]);
-    result.tensor[v].confidence = tensors.at_scale(v, balls.largest[v]).confidence;
+    result.tensor[v].confidence = tensors.at_radius(v, chains.mean.radius[v]).confidence;
     const double variance = std::max(0.0, chains.mean.variance[v][0] + chains.deviator.variance[v][0]);
     result.standard_error[v] = std::sqrt(variance * (1 + second_order * noise.sigma[v] * noise.sigma[v]));
   });

@@ -87,7 +87,7 @@ class VertexScales {
   /// Any fit, with the same variance in all directions.
   DiscVariance& set_fit(std::size_t scale, const Jet& fit, const CurvatureTensor& tensor)
   {
-    tensors_.set(v_, int(scale), {tensor.k, tensor.normal, least_confidence});
+    tensors_.set(v_, int(scale), {tensor.k, tensor.normal, tensors_.at_scale(v_, int(scale)).confidence});
     balls_.source[place(scale)] = Source::jet;
     return balls_.variances[balls_.row[v_] * count() + scale] = isotropic_variance(fit);
   }
