@@ -205,6 +205,7 @@ std::size_t set_back_outliers(TriangleMesh& mesh, Surface& surface, Execution& e
     if (outliers.empty()) break;
     for (const Outlier& outlier : outliers)
       mesh.positions[outlier.vertex] += (outlier.place - surface.positions()[outlier.vertex]) * surface.unit();
+    count += outliers.size();
     surface = Surface(mesh, execution);
   }
   return count;

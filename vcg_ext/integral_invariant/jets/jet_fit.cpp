@@ -119,8 +119,11 @@ Jet JetFitter::fit_one_side(std::size_t v, const Jet& of_all_sides)
   walk_rings(v, frame, half.least_count);
   const std::vector<Place> around = places_;
   std::array<Jet, sides> fits;
+  // From a direction that turns with the surface.
+  const Vec3 axis = principal_curvatures(of_all_sides.tensor).dir_max;
+  const double first = std::atan2(dot(axis, frame.y), dot(axis, frame.x));
   for (int side = 0; side < sides; ++side) {
-    const double angle = 2 * pi * side / sides, x = std::cos(angle), y = std::sin(angle);
+    const double angle = first + 2 * pi * side / sides, x = std::cos(angle), y = std::sin(angle);
     places_.clear();
     std::copy_if(around.begin(), around.end(), std::back_inserter(places_),
                  [&](const Place& p) { return p.x * x + p.y * y > -slack; });
