@@ -117,6 +117,18 @@ bool is_boxy(const Surface& surface)
   return double(across_axis) > nearly_all * double(surface.triangles().size());
 }
 
+/// The axis that most of the area looks along: heights are along it. A scanner's columns are a lattice across it.
+std::size_t height_axis(const Surface& surface)
+{
+  const std::vector<Vec3>& p = surface.positions();
+  Vec3 seen;
+  for (const Triangle& t : surface.triangles()) {
+    const Vec3 area = cross(p[std::size_t(t[1])] - p[std::size_t(t[0])], p[std::size_t(t[2])] - p[std::size_t(t[0])]);
+    seen += {std::abs(area.x), std::abs(area.y), std::abs(area.z)};
+  }
+  return seen.x > std::max(seen.y, seen.z) ? 0 : seen.y > seen.z ? 1 : 2;
+}
+
 }  // namespace
 
 double CoordinateLattice::variance_along(const Vec3& normal) const
@@ -149,7 +161,8 @@ CoordinateLattice find_coordinate_lattice(const Surface& surface)
     const double steps_a_voxel = is_binary_mask(sample, combs) ? 2 : 1;
     for (std::size_t a = 0; a < 3; ++a) lattice.steps[a] = combs[a].step * steps_a_voxel;
   } else if (axes == 1) {
-    for (std::size_t a = 0; a < 3; ++a) lattice.steps[a] = are_nearly_all(on_axis[a]) ? combs[a].step : 0;
+    const std::size_t a = height_axis(surface);
+    if (are_nearly_all(on_axis[a])) lattice.steps[a] = combs[a].step;
   } else if (axes == 0) {
     lattice.is_from_grid = are_nearly_all(on_two);
   }

@@ -25,8 +25,9 @@ struct CoordinateLattice {
 
 /// Coordinates that many vertices share lie on a lattice where they are whole steps apart. Vertices with all three on
 /// one were rounded (in a binary mask they lie half way between two voxels along one axis, so that a voxel is two steps
-/// wide); where the heights alone are, these. A regular grid below free heights is sampling and no noise, and
-/// so is a box whose sides were sampled on a lattice. Cost O(m), and O(n log n) of at most 20,000 vertices.
+/// wide); where the heights alone are, these. A regular grid below free heights is sampling and no noise, the columns
+/// of a scanner are, and so is a box whose sides were sampled on a lattice. Cost O(m), and O(n log n) of at most 20,000
+/// vertices.
 CoordinateLattice find_coordinate_lattice(const Surface& surface);
 
 }  // namespace integral_invariant
