@@ -183,10 +183,10 @@ TEST_F(CurvatureScript, RunsTwiceAtOnce)
 {
   write_ply(folder_ / "mesh.ply", torus(1, 0.4, 60, 30));
   const std::string script = "'" + source_folder() + "/scripts/curvature' mesh.ply ";
-  const ProgramResult run =
-      run_program({"timeout", "280", "bash", "-c",
-                   script + "a.ply quality=1 & " + script + "b.ply quality=6; second=$?; wait %1 && exit $second"},
-                  folder_.path());
+  const ProgramResult run = run_program(
+      {"timeout", "280", "bash", "-c",
+       script + "a.ply quality=1 & first=$!; " + script + "b.ply quality=6; second=$?; wait $first && exit $second"},
+      folder_.path());
   ASSERT_EQ(run.status, 0) << run.output;
   for (const char* name : {"a.ply", "a.png", "b.ply", "b.png"}) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
 }
