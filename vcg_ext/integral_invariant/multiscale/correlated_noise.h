@@ -21,7 +21,7 @@ struct CorrelatedNoise {
 
 /// The mean squares of the differences between neighbouring scales (ScaleSpectrum) are explained as noise with one
 /// correlation length all over the mesh plus shape, which is free at each place but smooth, so that it falls towards
-/// small scales at least five times a band faster than independent noise:
+/// small scales faster than independent noise, by the fourth or fifth power of the radius:
 ///     C_i(place) ~ (σ² N_i(ℓ) + a S_i(p)) χ²_ν / ν,
 /// and ℓ and σ are where the sum of the places' best log likelihoods is largest. Real relief falls less fast as well,
 /// but its differences are not Gaussian: they have another kurtosis than noise, within a neighbourhood or over a wide

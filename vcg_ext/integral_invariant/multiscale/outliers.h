@@ -19,8 +19,9 @@ struct Outlier {
 /// A vertex is an outlier where it stands out by more than a quarter of its edges, and by far more than any noise there
 /// would let it: more than 4.5 times what three quarters of the vertices within two rings stand out of their own
 /// neighbours (it does not count among these), and more than 6 standard deviations of what a quadric through these
-/// vertices leaves over. Corners, tips and creases are none: around them other vertices stand out as well. Cost O(n),
-/// about 0.1 µs a vertex, 5 µs where one stands out.
+/// vertices leaves over. At most one other
+/// vertex within the two rings may stand out half as far, and is then left out of both measures: creases and corners,
+/// where more do, are no outliers. Cost O(n).
 std::vector<Outlier> find_outliers(const Surface& surface, Execution& execution);
 
 }  // namespace integral_invariant
